@@ -1,0 +1,27 @@
+#include "core/base/errors.h"
+
+#include <fmt/format.h>
+
+namespace eyeray {
+
+Error::Error(std::string where, std::string what, std::string remedy)
+    : std::runtime_error(fmt::format("{}: {}: {}", printable(where, 400), printable(what, 400), printable(remedy, 400))),
+      where_(std::move(where)) {}
+
+std::string printable(std::string_view text, std::size_t limit) {
+    std::string result;
+    for (const char c : text) {
+        if (result.size() >= limit) return result + "…";
+        if (const auto byte = static_cast<unsigned char>(c); byte < 0x20 || byte == 0x7f)
+            result += fmt::format("\\x{:02x}", byte);
+        else
+            result += c;
+    }
+    return result;
+}
+
+void detail::ensureFailed(const char* condition, const char* file, int line) {
+    throw InternalError(fmt::format("{}:{}: does not hold: {}", file, line, condition));
+}
+
+}

@@ -1,0 +1,53 @@
+#include "core/base/sampling.h"
+
+namespace eyeray {
+namespace {
+
+constexpr std::uint32_t reverseBits(std::uint32_t v) {
+    v = (v << 16U) | (v >> 16U);
+    v = ((v & 0x00ff00ffU) << 8U) | ((v & 0xff00ff00U) >> 8U);
+    v = ((v & 0x0f0f0f0fU) << 4U) | ((v & 0xf0f0f0f0U) >> 4U);
+    v = ((v & 0x33333333U) << 2U) | ((v & 0xccccccccU) >> 2U);
+    return ((v & 0x55555555U) << 1U) | ((v & 0xaaaaaaaaU) >> 1U);
+}
+
+// Burley 2020, section 2.4, with N. Vegdahl's constants (2021, "Building a Better LK Hash").
+constexpr std::uint32_t laineKarrasPermutation(std::uint32_t v, std::uint32_t seed) {
+    v ^= v * 0x3d20adeaU;
+    v += seed;
+    v *= (seed >> 16U) | 1U;
+    v ^= v * 0x05526c56U;
+    v ^= v * 0x53a22864U;
+    return v;
+}
+
+constexpr std::uint32_t owenScramble(std::uint32_t v, std::uint32_t seed) {
+    return reverseBits(laineKarrasPermutation(reverseBits(v), seed));
+}
+
+// Second Sobol' dimension: its direction numbers are the rows of Pascal's triangle modulo 2.
+constexpr std::uint32_t sobolSecondDimension(std::uint32_t index) {
+    std::uint32_t result = 0;
+    for (std::uint32_t v = 0x80000000U; index != 0; index >>= 1U, v ^= v >> 1U)
+        if ((index & 1U) != 0) result ^= v;
+    return result;
+}
+
+}
+
+Vec2 sobol2(const SampleAddress& address, std::uint32_t node, SamplePurpose purpose) {
+    std::uint32_t key = hashCombine(address.seed, address.x);
+    key = hashCombine(key, address.y);
+    key = hashCombine(key, node);
+    key = hashCombine(key, static_cast<std::uint32_t>(purpose));
+    const std::uint32_t index = owenScramble(address.pass, key);
+    return {toUnitFloat(owenScramble(reverseBits(index), hashCombine(key, 1))),
+            toUnitFloat(owenScramble(sobolSecondDimension(index), hashCombine(key, 2)))};
+}
+
+Vec2 pixelSample(const SampleAddress& address) {
+    if (address.pass == 0) return Vec2(0.5F);
+    return sobol2(address, 0, SamplePurpose::PixelFilter);
+}
+
+}

@@ -1,0 +1,47 @@
+#pragma once
+// Random numbers that are addressed, not drawn: each is a pure function of where it is used. So a picture repeats
+// on any number of threads, and switching one ray off changes no other number.
+
+#include <cstdint>
+
+#include "core/base/math.h"
+
+namespace eyeray {
+
+/// What a number is used for; one value for each place in the code that asks.
+enum class SamplePurpose : std::uint32_t { PixelFilter = 1 };
+
+/// Which sample of which pixel.
+struct SampleAddress {
+    std::uint32_t seed = 0;
+    std::uint32_t x = 0, y = 0;
+    std::uint32_t pass = 0;
+};
+
+/// Bijective mixing of 32 bits (C. Wellons 2018, hash "lowbias32").
+constexpr std::uint32_t hash32(std::uint32_t v) {
+    v ^= v >> 16U;
+    v *= 0x7feb352dU;
+    v ^= v >> 15U;
+    v *= 0x846ca68bU;
+    v ^= v >> 16U;
+    return v;
+}
+
+constexpr std::uint32_t hashCombine(std::uint32_t a, std::uint32_t b) {
+    return hash32(a ^ (hash32(b) + 0x9e3779b9U + (a << 6U) + (a >> 2U)));
+}
+
+/// [0, 1) from the top 24 bits; never 1.
+constexpr float toUnitFloat(std::uint32_t bits) { return static_cast<float>(bits >> 8U) * 0x1p-24F; }
+
+/// Point `address.pass` of a pixel's own Owen-scrambled Sobol' (0,2)-sequence in [0, 1)².
+/// `node` is the key of the ray-tree node that asks. Consecutive passes of a pixel are jointly stratified.
+/// Scrambling by hash: B. Burley 2020, "Practical Hash-based Owen Scrambling", JCGT 10(4).
+Vec2 sobol2(const SampleAddress& address, std::uint32_t node, SamplePurpose purpose);
+
+/// Where in its pixel a sample lies, in [0, 1)²: the exact centre for pass 0, then the pixel's Sobol' sequence
+/// (box filter).
+Vec2 pixelSample(const SampleAddress& address);
+
+}

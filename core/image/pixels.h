@@ -1,0 +1,53 @@
+#pragma once
+// Rows of pixels, top row first.
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "core/base/errors.h"
+#include "core/base/math.h"
+
+namespace eyeray {
+
+/// width × height values, row by row from the top left.
+template <class T>
+class Pixels {
+public:
+    Pixels() = default;
+    /// Throws InternalError for a negative size.
+    Pixels(int width, int height, T value = T{}) : width_(width), height_(height) {
+        ENSURE(width >= 0 && height >= 0);
+        values_.assign(static_cast<std::size_t>(width) * static_cast<std::size_t>(height), value);
+    }
+
+    int width() const { return width_; }
+    int height() const { return height_; }
+    bool empty() const { return values_.empty(); }
+
+    T& at(int x, int y) { return values_[index(x, y)]; }
+    const T& at(int x, int y) const { return values_[index(x, y)]; }
+    std::vector<T>& values() { return values_; }
+    const std::vector<T>& values() const { return values_; }
+
+    friend bool operator==(const Pixels&, const Pixels&) = default;
+
+private:
+    std::size_t index(int x, int y) const {
+        return static_cast<std::size_t>(y) * static_cast<std::size_t>(width_) + static_cast<std::size_t>(x);
+    }
+
+    int width_ = 0, height_ = 0;
+    std::vector<T> values_;
+};
+
+/// What a display takes: sRGB-coded, alpha not premultiplied.
+struct Rgba8 {
+    std::uint8_t r = 0, g = 0, b = 0, a = 255;
+    friend bool operator==(const Rgba8&, const Rgba8&) = default;
+};
+
+using ColorImage = Pixels<Color>; // linear Rec. 709
+using ByteImage = Pixels<Rgba8>;
+
+}
