@@ -5,7 +5,8 @@
 namespace eyeray {
 
 Error::Error(std::string where, std::string what, std::string remedy)
-    : std::runtime_error(fmt::format("{}: {}: {}", printable(where, 400), printable(what, 400), printable(remedy, 400))),
+    : std::runtime_error(
+          fmt::format("{}: {}: {}", printable(where, 400), printable(what, 400), printable(remedy, 400))),
       where_(std::move(where)) {}
 
 std::string printable(std::string_view text, std::size_t limit) {

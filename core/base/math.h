@@ -38,7 +38,9 @@ constexpr float gammaBound(int n) {
 }
 
 inline bool isFinite(const Vec3& v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
-inline bool isFinite(const DVec3& v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
+inline bool isFinite(const DVec3& v) {
+    return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
+}
 
 inline float maxComponent(const Vec3& v) { return std::fmax(v.x, std::fmax(v.y, v.z)); }
 inline float minComponent(const Vec3& v) { return std::fmin(v.x, std::fmin(v.y, v.z)); }
@@ -73,7 +75,8 @@ struct Frame {
         const float sign = std::copysign(1.0F, n.z);
         const float a = -1.0F / (sign + n.z);
         const float b = n.x * n.y * a;
-        return {Vec3(1.0F + sign * n.x * n.x * a, sign * b, -sign * n.x), Vec3(b, sign + n.y * n.y * a, -n.y), n};
+        return {Vec3(1.0F + sign * n.x * n.x * a, sign * b, -sign * n.x), Vec3(b, sign + n.y * n.y * a, -n.y),
+                n};
     }
 };
 

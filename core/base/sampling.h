@@ -1,6 +1,6 @@
 #pragma once
-// Random numbers that are addressed, not drawn: each is a pure function of where it is used. So a picture repeats
-// on any number of threads, and switching one ray off changes no other number.
+// Random numbers that are addressed, not drawn: each is a pure function of where it is used. So a picture
+// repeats on any number of threads, and switching one ray off changes no other number.
 
 #include <cstdint>
 
@@ -40,8 +40,8 @@ constexpr float toUnitFloat(std::uint32_t bits) { return static_cast<float>(bits
 /// Scrambling by hash: B. Burley 2020, "Practical Hash-based Owen Scrambling", JCGT 10(4).
 Vec2 sobol2(const SampleAddress& address, std::uint32_t node, SamplePurpose purpose);
 
-/// Where in its pixel a sample lies, in [0, 1)²: the exact centre for pass 0, then the pixel's Sobol' sequence
-/// (box filter).
+/// Where in its pixel a sample lies, in [0, 1)²: the exact centre for pass 0, then the pixel's Sobol'
+/// sequence (box filter).
 Vec2 pixelSample(const SampleAddress& address);
 
 }

@@ -46,9 +46,9 @@ struct ThreadPool::Loop {
 
 ThreadPool::ThreadPool(int threads) {
     ENSURE(threads >= 0 && threads <= 1024);
-    const int count = threads > 0 ? threads : std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
-    for (int i = 1; i < count; ++i)
-        workers_.emplace_back([this](const std::stop_token& end) { work(end); });
+    const int count =
+        threads > 0 ? threads : std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+    for (int i = 1; i < count; ++i) workers_.emplace_back([this](const std::stop_token& end) { work(end); });
 }
 
 ThreadPool::~ThreadPool() {

@@ -10,8 +10,9 @@
 
 namespace eyeray {
 
-/// A fixed set of threads, all in the tracer's float environment (flush-to-zero, round to nearest) and below the
-/// caller's scheduling priority, so that a window stays responsive. `forEach` is called by one thread at a time.
+/// A fixed set of threads, all in the tracer's float environment (flush-to-zero, round to nearest) and below
+/// the caller's scheduling priority, so that a window stays responsive. `forEach` is called by one thread at
+/// a time.
 class ThreadPool {
 public:
     /// `threads` in all, the calling thread of forEach included; 0 means one per core.
@@ -22,9 +23,9 @@ public:
 
     int threads() const { return static_cast<int>(workers_.size()) + 1; }
 
-    /// Calls body(index) once for each index in [0, count), in order of start, on all threads, and returns when all
-    /// have ended. No further index starts once `stop` is requested or a call has thrown; the first exception is
-    /// rethrown here. True if every index ran.
+    /// Calls body(index) once for each index in [0, count), in order of start, on all threads, and returns
+    /// when all have ended. No further index starts once `stop` is requested or a call has thrown; the first
+    /// exception is rethrown here. True if every index ran.
     bool forEach(int count, const std::stop_token& stop, const std::function<void(int)>& body);
 
 private:

@@ -1,0 +1,83 @@
+#pragma once
+// Everything that rays can hit, with an index that finds the candidates: brute force (the oracle) or a BVH.
+// A faster index joins by offering `visit` and becoming a member of Accel.
+
+#include <memory>
+#include <optional>
+#include <stop_token>
+#include <variant>
+#include <vector>
+
+#include "core/geometry/affine.h"
+#include "core/geometry/brute_force.h"
+#include "core/geometry/bvh2.h"
+#include "core/geometry/mesh.h"
+#include "core/geometry/ray.h"
+#include "core/geometry/shapes.h"
+
+namespace eyeray {
+
+/// Which instances a ray looks at: opaque ones, transparent ones or both.
+enum class RayMask : std::uint8_t { Opaque = 1, Transparent = 2, All = 3 };
+
+/// A mesh with an index over its triangles; shared between Worlds while the mesh does not change.
+template <class Index>
+struct IndexedMesh {
+    std::shared_ptr<const TriangleMesh> mesh;
+    Index index;
+    Bounds bounds;
+};
+
+/// One placed object.
+template <class Index>
+struct Instance {
+    Affine objectToWorld, worldToObject;
+    std::variant<Shape, std::shared_ptr<const IndexedMesh<Index>>> geometry;
+    RayMask mask = RayMask::Opaque;
+};
+
+template <class Index>
+struct IndexedGeometry {
+    std::vector<Instance<Index>> instances;
+    Index top;                            // over the bounded instances
+    std::vector<std::uint32_t> bounded;   // instance of each entry of `top`
+    std::vector<std::uint32_t> unbounded; // infinite planes: tested by every ray
+    std::size_t primitives = 0;           // triangles and shapes, instances counted each
+    std::size_t bytes = 0;                // of the indices, meshes counted once
+};
+
+using Accel = std::variant<IndexedGeometry<BruteForce>, IndexedGeometry<Bvh2>>;
+
+/// Index over the triangles of a mesh; triangles with a non-finite vertex or no area are left out.
+/// An empty index if `stop` was requested.
+template <class Index>
+std::shared_ptr<const IndexedMesh<Index>> indexMesh(std::shared_ptr<const TriangleMesh>,
+                                                    const std::stop_token&);
+
+/// Top level over placed objects.
+template <class Index>
+IndexedGeometry<Index> indexInstances(std::vector<Instance<Index>>, const std::stop_token&);
+
+/// Closest hit in (tMin, tMax) among the instances of the mask, or nothing. Equal t: the lower (instance,
+/// primitive) wins, whatever the index. Thread-safe.
+template <class Index>
+std::optional<Hit> closestHit(const IndexedGeometry<Index>&, const Ray&, RayMask = RayMask::All);
+
+/// True if anything of the mask is hit in (tMin, tMax). Thread-safe.
+template <class Index>
+bool anyHit(const IndexedGeometry<Index>&, const Ray&, RayMask = RayMask::All);
+
+/// The surface at a hit that closestHit returned for this ray, in world space. The geometric normal is the
+/// surface's own side also under mirroring transforms.
+template <class Index>
+SurfacePoint surfaceAt(const IndexedGeometry<Index>&, const Ray&, const Hit&);
+
+/// Texture coordinates at a hit; `point` is its surfaceAt.
+template <class Index>
+Vec2 textureCoordinates(const IndexedGeometry<Index>&, const SurfacePoint& point, const Hit&, int set);
+
+/// Vertex colour at a hit, (1, 1, 1, 1) where there is none.
+template <class Index>
+Vec4 vertexColor(const IndexedGeometry<Index>&, const Hit&);
+
+}

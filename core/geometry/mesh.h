@@ -1,0 +1,55 @@
+#pragma once
+// Triangle meshes and their watertight intersection.
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "core/base/math.h"
+#include "core/geometry/bounds.h"
+#include "core/geometry/ray.h"
+
+namespace eyeray {
+
+inline constexpr int kUvSets = 4;
+
+/// Indexed triangles; counter-clockwise is the front. Optional arrays are empty or one per vertex. Shared as
+/// shared_ptr<const TriangleMesh>: never changed once it is in a Scene.
+struct TriangleMesh {
+    std::vector<Vec3> positions;
+    std::vector<Vec3> normals;                  // unit
+    std::array<std::vector<Vec2>, kUvSets> uvs; // TEXCOORD_0 to TEXCOORD_3
+    std::vector<Vec4> colors;                   // linear RGBA
+    std::vector<std::array<std::uint32_t, 3>> triangles;
+    bool doubleSided = true; // else the back is not hit
+};
+
+/// What the watertight test needs of a ray, computed once per ray: the shear to a space where it runs along
+/// +z.
+struct RayShear {
+    explicit RayShear(const Ray& ray);
+    Vec3 origin;
+    int kx, ky, kz;
+    float sx, sy, sz;
+};
+
+/// Closest hit of one triangle in (tMin, tMax), or nothing. Neighbours that share an edge or vertex leave no
+/// gap between them. Zero-area triangles are never hit. Never returns NaN. Thread-safe. Woop, Benthin, Wald
+/// 2013, "Watertight Ray/Triangle Intersection", JCGT 2(1).
+std::optional<Hit> intersectTriangle(const TriangleMesh&, std::uint32_t triangle, const RayShear&,
+                                     const Ray&);
+
+/// The surface at a hit, in object space: position by barycentric weights, with its error bound.
+SurfacePoint surfaceAt(const TriangleMesh&, const Hit&);
+
+/// Interpolated texture coordinates of one set; (0, 0) if the mesh has none.
+Vec2 textureCoordinates(const TriangleMesh&, const Hit&, int set);
+
+/// Interpolated vertex colour; (1, 1, 1, 1) if the mesh has none.
+Vec4 vertexColor(const TriangleMesh&, const Hit&);
+
+Bounds boundsOf(const TriangleMesh&, std::uint32_t triangle);
+Bounds boundsOf(const TriangleMesh&);
+
+}

@@ -1,0 +1,41 @@
+#pragma once
+// A ray, what it hits, and where that is.
+
+#include <cstdint>
+
+#include "core/base/math.h"
+
+namespace eyeray {
+
+/// Half line origin + t·direction with t in (tMin, tMax). The direction need not be of unit length.
+struct Ray {
+    Vec3 origin{0};
+    Vec3 direction{0, 0, -1};
+    float tMin = 0, tMax = kInfinity;
+
+    Vec3 at(float t) const { return origin + t * direction; }
+};
+
+/// The least that a hit must carry; all else is derived from it.
+struct Hit {
+    float t = kInfinity;
+    float u = 0, v = 0;          // barycentric weights of a triangle's second and third vertex; 0 for a shape
+    std::uint32_t primitive = 0; // triangle of a mesh; face of a shape
+    std::uint32_t instance = 0;
+};
+
+/// The surface at a hit.
+struct SurfacePoint {
+    Vec3 position{0}; // on the surface, reprojected, not origin + t·direction
+    Vec3 error{0};    // bound on |position − exact| per axis, transforms included
+    Vec3 geometricNormal{
+        0}; // unit, the surface's own side: outward for solids, counter-clockwise for triangles
+    Vec3 shadingNormal{0}; // unit, interpolated where a mesh has normals; else the geometric one
+};
+
+/// Origin of a ray that leaves `point` along `direction` and cannot meet the same surface again through
+/// rounding. Moves along the geometric normal by the error bound, then to the next float outward. Pharr,
+/// Jakob, Humphreys 2023, "Physically Based Rendering" 4th ed., section 6.8.6.
+Vec3 spawnOrigin(const SurfacePoint& point, const Vec3& direction);
+
+}
