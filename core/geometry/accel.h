@@ -17,8 +17,8 @@
 
 namespace eyeray {
 
-/// Which instances a ray looks at: opaque ones, transparent ones or both.
-enum class RayMask : std::uint8_t { Opaque = 1, Transparent = 2, All = 3 };
+/// Which instances a ray looks at; the surface of a lamp casts no shadow.
+enum class RayMask : std::uint8_t { Opaque = 1, Transparent = 2, Lamp = 4, Objects = 3, All = 7 };
 
 /// A mesh with an index over its triangles; shared between Worlds while the mesh does not change.
 template <class Index>
