@@ -66,11 +66,11 @@ struct Material {
 /// A taught material that looks like a glTF one (textures are left to the caller):
 /// F0 = mix(dielectric F0 of ior and specular, baseColor, metallic); kd = baseColor·(1 − metallic)·(1 −
 /// transmission); kt = baseColor·(1 − metallic)·transmission; σ = −ln(attenuationColor)/attenuationDistance.
-/// A rough surface has no mirror image, so kr = F0·(1 − roughness)², and its highlight is the normalised
-/// Blinn-Phong lobe with exponent n = 2/α² − 2, α = roughness², at most kMaxShininess (a point lamp has no
-/// width). B. Walter et al. 2007, "Microfacet Models for Refraction", section 5.2, for Blinn-Phong against
-/// roughness; Akenine-Möller et al. 2018, "Real-Time Rendering" 4th ed., section 9.8, for the factor (n +
-/// 8)/8.
+/// A rough surface has no mirror image, so kr = F0·(1 − roughness)²·(1 − (1 − metallic)·transmission) (the
+/// transmitted share has a Fresnel reflection of its own), and its highlight is the normalised Blinn-Phong
+/// lobe with exponent n = 2/α² − 2, α = roughness², at most kMaxShininess (a point lamp has no width). B.
+/// Walter et al. 2007, "Microfacet Models for Refraction", section 5.2, for Blinn-Phong against roughness;
+/// Akenine-Möller et al. 2018, "Real-Time Rendering" 4th ed., section 9.8, for the factor (n + 8)/8.
 TaughtMaterial asTaught(const GltfMaterial&);
 
 /// A glTF material that looks like a taught one: base colour kd, or kr with metallic 1 for a mirror without
