@@ -24,20 +24,29 @@ function(eyeray_test source)
   target_compile_definitions(${name} PRIVATE
     EYERAY_SOURCE_DIR="${CMAKE_CURRENT_SOURCE_DIR}" EYERAY_BINARY_DIR="${CMAKE_CURRENT_BINARY_DIR}")
   eyeray_compile_options(${name})
-  gtest_discover_tests(${name} DISCOVERY_MODE PRE_TEST DISCOVERY_TIMEOUT 60
-    PROPERTIES LABELS "${labels}" TIMEOUT 300)
+  gtest_discover_tests(${name} DISCOVERY_MODE PRE_TEST DISCOVERY_TIMEOUT 60 PROPERTIES TIMEOUT 300)
+  # Read by ctest after discovery, for gtest_discover_tests itself keeps only the first label of a list.
+  file(APPEND ${EYERAY_TEST_LABELS}
+    "if(${name}_TESTS)\n  set_tests_properties(\${${name}_TESTS} PROPERTIES LABELS \"${labels}\")\nendif()\n")
   foreach(label IN LISTS labels)
     set_property(GLOBAL APPEND PROPERTY EYERAY_TESTS_${label} ${name})
   endforeach()
 endfunction()
 
+set(EYERAY_TEST_LABELS ${CMAKE_CURRENT_BINARY_DIR}/test_labels.cmake)
+file(WRITE ${EYERAY_TEST_LABELS} "")
 file(GLOB EYERAY_TESTS CONFIGURE_DEPENDS tests/*_test.cpp)
+set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${EYERAY_TESTS})
 foreach(source IN LISTS EYERAY_TESTS)
   eyeray_test(${source})
 endforeach()
+set_property(DIRECTORY APPEND PROPERTY TEST_INCLUDE_FILES ${EYERAY_TEST_LABELS})
 
 # `cmake --build --target tests-threads` builds only what `ctest -L threads` runs.
 foreach(label unit image ui e2e robustness threads)
   get_property(targets GLOBAL PROPERTY EYERAY_TESTS_${label})
-  add_custom_target(tests-${label} DEPENDS ${targets})
+  add_custom_target(tests-${label})
+  if(targets)
+    add_dependencies(tests-${label} ${targets})
+  endif()
 endforeach()
