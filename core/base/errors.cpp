@@ -4,7 +4,7 @@
 
 namespace eyeray {
 
-Error::Error(std::string where, std::string what, std::string remedy)
+Error::Error(std::string where, const std::string& what, const std::string& remedy)
     : std::runtime_error(
           fmt::format("{}: {}: {}", printable(where, 400), printable(what, 400), printable(remedy, 400))),
       where_(std::move(where)) {}

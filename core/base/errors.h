@@ -9,7 +9,7 @@ namespace eyeray {
 /// What every error says in one line: where it is, what is wrong, what to do.
 class Error : public std::runtime_error {
 public:
-    Error(std::string where, std::string what, std::string remedy);
+    Error(std::string where, const std::string& what, const std::string& remedy);
 
     const std::string& where() const { return where_; }
 

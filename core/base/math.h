@@ -49,8 +49,8 @@ inline bool isBlack(const Color& c) { return c.x == 0 && c.y == 0 && c.z == 0; }
 /// Luminance of linear Rec. 709.
 inline float luminance(const Color& c) { return 0.2126F * c.x + 0.7152F * c.y + 0.0722F * c.z; }
 
-inline constexpr double radians(double degrees) { return degrees * (kPiD / 180.0); }
-inline constexpr double degrees(double radians) { return radians * (180.0 / kPiD); }
+constexpr double radians(double degrees) { return degrees * (kPiD / 180.0); }
+constexpr double degrees(double radians) { return radians * (180.0 / kPiD); }
 
 /// Point transformed by an affine matrix.
 inline DVec3 transformPoint(const DMat4& m, const DVec3& p) { return DVec3(m * DVec4(p, 1.0)); }

@@ -13,6 +13,6 @@ inline constexpr int kRayKinds = 5;
 inline constexpr std::array<std::string_view, kRayKinds> kRayKindNames = {"eye", "shadow", "reflection",
                                                                           "refraction", "diffuse"};
 
-inline constexpr std::string_view name(RayKind kind) { return kRayKindNames[static_cast<std::size_t>(kind)]; }
+constexpr std::string_view name(RayKind kind) { return kRayKindNames[static_cast<std::size_t>(kind)]; }
 
 }

@@ -9,7 +9,7 @@
 namespace eyeray {
 
 /// What a number is used for; one value for each place in the code that asks.
-enum class SamplePurpose : std::uint32_t { PixelFilter = 1 };
+enum class SamplePurpose : std::uint8_t { PixelFilter = 1 };
 
 /// Which sample of which pixel.
 struct SampleAddress {
