@@ -42,6 +42,13 @@ foreach(source IN LISTS EYERAY_TESTS)
 endforeach()
 set_property(DIRECTORY APPEND PROPERTY TEST_INCLUDE_FILES ${EYERAY_TEST_LABELS})
 
+if(EYERAY_BUILD_APP)
+  add_test(NAME install_works
+    COMMAND ${CMAKE_COMMAND} -DBUILD=${CMAKE_CURRENT_BINARY_DIR} -P ${CMAKE_CURRENT_SOURCE_DIR}/tests/install_test.cmake)
+  set_tests_properties(install_works PROPERTIES LABELS e2e TIMEOUT 300)
+  set_property(GLOBAL APPEND PROPERTY EYERAY_TESTS_e2e eyeray)
+endif()
+
 # `cmake --build --target tests-threads` builds only what `ctest -L threads` runs.
 foreach(label unit image ui e2e robustness threads)
   get_property(targets GLOBAL PROPERTY EYERAY_TESTS_${label})
