@@ -7,7 +7,9 @@ find_package(nlohmann_json REQUIRED)
 find_package(TinyGLTF REQUIRED)
 find_package(PNG REQUIRED)
 find_package(JPEG REQUIRED)
+set(CMAKE_MESSAGE_LOG_LEVEL NOTICE) # Debian's Imath would report that its Python binding is not installed
 find_package(OpenEXR REQUIRED)
+unset(CMAKE_MESSAGE_LOG_LEVEL)
 find_package(OpenSSL REQUIRED COMPONENTS Crypto)
 
 if(EYERAY_BUILD_APP)
