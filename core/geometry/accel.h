@@ -25,6 +25,7 @@ template <class Index>
 struct IndexedMesh {
     std::shared_ptr<const TriangleMesh> mesh;
     Index index;
+    std::vector<TriangleCorners> corners; // of each slot of the index: a leaf reads one stretch of memory
     Bounds bounds;
 };
 
@@ -40,10 +41,9 @@ template <class Index>
 struct IndexedGeometry {
     std::vector<Instance<Index>> instances;
     Index top;                            // over the bounded instances
-    std::vector<std::uint32_t> bounded;   // instance of each entry of `top`
     std::vector<std::uint32_t> unbounded; // infinite planes: tested by every ray
     std::size_t primitives = 0;           // triangles and shapes, instances counted each
-    std::size_t bytes = 0;                // of the indices, meshes counted once
+    std::size_t nodes = 0, bytes = 0;     // of the indices, meshes counted once
 };
 
 using Accel = std::variant<IndexedGeometry<BruteForce>, IndexedGeometry<Bvh2>>;

@@ -1,6 +1,8 @@
 #pragma once
 // Axis-aligned boxes.
 
+#include <algorithm>
+
 #include "core/base/math.h"
 
 namespace eyeray {
@@ -9,13 +11,11 @@ namespace eyeray {
 struct Bounds {
     Vec3 lo{kInfinity}, hi{-kInfinity};
 
-    void add(const Vec3& p) {
-        lo = Vec3(std::fmin(lo.x, p.x), std::fmin(lo.y, p.y), std::fmin(lo.z, p.z));
-        hi = Vec3(std::fmax(hi.x, p.x), std::fmax(hi.y, p.y), std::fmax(hi.z, p.z));
-    }
+    /// Coordinates that are NaN are left out.
+    void add(const Vec3& p) { add(Bounds{p, p}); }
     void add(const Bounds& b) {
-        add(b.lo);
-        add(b.hi);
+        lo = Vec3(std::min(lo.x, b.lo.x), std::min(lo.y, b.lo.y), std::min(lo.z, b.lo.z));
+        hi = Vec3(std::max(hi.x, b.hi.x), std::max(hi.y, b.hi.y), std::max(hi.z, b.hi.z));
     }
     bool empty() const { return !(lo.x <= hi.x && lo.y <= hi.y && lo.z <= hi.z); }
     bool finite() const { return isFinite(lo) && isFinite(hi); }

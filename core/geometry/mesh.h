@@ -1,5 +1,5 @@
 #pragma once
-// Triangle meshes and their watertight intersection.
+// Triangle meshes.
 
 #include <array>
 #include <cstdint>
@@ -9,6 +9,7 @@
 #include "core/base/math.h"
 #include "core/geometry/bounds.h"
 #include "core/geometry/ray.h"
+#include "core/geometry/triangle.h"
 
 namespace eyeray {
 
@@ -25,18 +26,10 @@ struct TriangleMesh {
     bool doubleSided = true; // else the back is not hit
 };
 
-/// What the watertight test needs of a ray, computed once per ray: the shear to a space where it runs along
-/// +z.
-struct RayShear {
-    explicit RayShear(const Ray& ray);
-    Vec3 origin;
-    int kx, ky, kz;
-    float sx, sy, sz;
-};
+/// Corners of one triangle of a mesh.
+TriangleCorners cornersOf(const TriangleMesh&, std::uint32_t triangle);
 
-/// Closest hit of one triangle in (tMin, tMax), or nothing. Neighbours that share an edge or vertex leave no
-/// gap between them. Zero-area triangles are never hit. Never returns NaN. Thread-safe. Woop, Benthin, Wald
-/// 2013, "Watertight Ray/Triangle Intersection", JCGT 2(1).
+/// Closest hit of one triangle in (tMin, tMax), or nothing; see intersectCorners.
 std::optional<Hit> intersectTriangle(const TriangleMesh&, std::uint32_t triangle, const RayShear&,
                                      const Ray&);
 

@@ -41,16 +41,22 @@ std::optional<Hit> intersect(const Sphere&, const Ray&);
 std::optional<Hit> intersect(const Plane&, const Ray&);
 std::optional<Hit> intersect(const Box&, const Ray&);
 std::optional<Hit> intersect(const Cylinder&, const Ray&);
+std::optional<Hit> intersect(const Shape&, const Ray&);
 
 /// The surface at a hit that `intersect` returned for this ray; all in object space.
 SurfacePoint surfaceAt(const Sphere&, const Ray&, const Hit&);
 SurfacePoint surfaceAt(const Plane&, const Ray&, const Hit&);
 SurfacePoint surfaceAt(const Box&, const Ray&, const Hit&);
 SurfacePoint surfaceAt(const Cylinder&, const Ray&, const Hit&);
+SurfacePoint surfaceAt(const Shape&, const Ray&, const Hit&);
 
 /// Texture coordinates at a surface point of the given face. Sphere: (longitude, latitude from the top) in
 /// [0, 1]². Plane: (x, z) in object units from its centre. Box: [0, 1]² on each face. Cylinder: (angle,
 /// height) in [0, 1]² on its side, [0, 1]² over each cap. Always finite, poles and seams included.
+Vec2 textureCoordinates(const Sphere&, const SurfacePoint&, std::uint32_t face);
+Vec2 textureCoordinates(const Plane&, const SurfacePoint&, std::uint32_t face);
+Vec2 textureCoordinates(const Box&, const SurfacePoint&, std::uint32_t face);
+Vec2 textureCoordinates(const Cylinder&, const SurfacePoint&, std::uint32_t face);
 Vec2 textureCoordinates(const Shape&, const SurfacePoint&, std::uint32_t face);
 
 /// Smallest box around the shape; infinite along the infinite axes of a plane.

@@ -1,0 +1,120 @@
+#include "core/geometry/accel.h"
+
+#include <bit>
+#include <tuple>
+
+namespace eyeray {
+namespace {
+
+// The next float above a t ≥ 0.
+float nextUp(float t) { return std::bit_cast<float>(std::bit_cast<std::uint32_t>(t) + 1); }
+
+bool sees(RayMask ray, RayMask instance) {
+    return (static_cast<unsigned>(ray) & static_cast<unsigned>(instance)) != 0;
+}
+
+// Calls offer(hit) for hits at t in (tMin, limit) until it returns true; whether it did.
+template <class Index, class Offer>
+bool visitHits(const Instance<Index>& instance, std::uint32_t id, const Ray& ray, const float& limit,
+               Offer&& offer) {
+    Ray local = instance.worldToObject.ray(ray);
+    local.tMax = limit;
+    if (const Shape* shape = std::get_if<Shape>(&instance.geometry)) {
+        auto hit = intersect(*shape, local);
+        if (!hit) return false;
+        hit->instance = id;
+        return offer(*hit);
+    }
+    const IndexedMesh<Index>& mesh = **std::get_if<1>(&instance.geometry);
+    const RayShear shear(local);
+    const bool doubleSided = mesh.mesh->doubleSided;
+    return mesh.index.visit(local, limit, [&](std::uint32_t slot) {
+        auto hit = intersectCorners(mesh.corners[slot], doubleSided, shear, local.tMin, limit);
+        if (!hit) return false;
+        hit->primitive = mesh.index.entries()[slot];
+        hit->instance = id;
+        return offer(*hit);
+    });
+}
+
+template <class Index, class Offer>
+bool visitHits(const IndexedGeometry<Index>& geometry, const Ray& ray, RayMask mask, const float& limit,
+               Offer&& offer) {
+    const auto inInstance = [&](std::uint32_t id) {
+        const Instance<Index>& instance = geometry.instances[id];
+        return sees(mask, instance.mask) && visitHits(instance, id, ray, limit, offer);
+    };
+    for (const std::uint32_t id : geometry.unbounded)
+        if (inInstance(id)) return true;
+    return geometry.top.visit(ray, limit,
+                              [&](std::uint32_t slot) { return inInstance(geometry.top.entries()[slot]); });
+}
+
+// The mesh that was hit, or nullptr for a shape.
+template <class Index>
+const TriangleMesh* meshOf(const IndexedGeometry<Index>& geometry, const Hit& hit) {
+    const auto* mesh = std::get_if<1>(&geometry.instances[hit.instance].geometry);
+    return mesh != nullptr ? (*mesh)->mesh.get() : nullptr;
+}
+
+}
+
+template <class Index>
+std::optional<Hit> closestHit(const IndexedGeometry<Index>& geometry, const Ray& ray, RayMask mask) {
+    Hit best;
+    float limit = ray.tMax;
+    visitHits(geometry, ray, mask, limit, [&](const Hit& hit) {
+        if (hit.t < best.t ||
+            std::tie(hit.instance, hit.primitive) < std::tie(best.instance, best.primitive)) {
+            best = hit;
+            limit = nextUp(hit.t); // an equal t is still heard of
+        }
+        return false;
+    });
+    return best.t < kInfinity ? std::optional(best) : std::nullopt;
+}
+
+template <class Index>
+bool anyHit(const IndexedGeometry<Index>& geometry, const Ray& ray, RayMask mask) {
+    return visitHits(geometry, ray, mask, ray.tMax, [](const Hit&) { return true; });
+}
+
+template <class Index>
+SurfacePoint surfaceAt(const IndexedGeometry<Index>& geometry, const Ray& ray, const Hit& hit) {
+    const Instance<Index>& instance = geometry.instances[hit.instance];
+    const TriangleMesh* mesh = meshOf(geometry, hit);
+    const SurfacePoint point =
+        mesh != nullptr ? surfaceAt(*mesh, hit)
+                        : surfaceAt(std::get<Shape>(instance.geometry), instance.worldToObject.ray(ray), hit);
+    return toWorld(point, instance.objectToWorld, instance.worldToObject);
+}
+
+template <class Index>
+Vec2 textureCoordinates(const IndexedGeometry<Index>& geometry, const SurfacePoint& point, const Hit& hit,
+                        int set) {
+    if (const TriangleMesh* mesh = meshOf(geometry, hit)) return textureCoordinates(*mesh, hit, set);
+    const Instance<Index>& instance = geometry.instances[hit.instance];
+    SurfacePoint local;
+    local.position = instance.worldToObject.point(point.position);
+    return textureCoordinates(std::get<Shape>(instance.geometry), local, hit.primitive);
+}
+
+template <class Index>
+Vec4 vertexColor(const IndexedGeometry<Index>& geometry, const Hit& hit) {
+    const TriangleMesh* mesh = meshOf(geometry, hit);
+    return mesh != nullptr ? vertexColor(*mesh, hit) : Vec4(1);
+}
+
+template std::optional<Hit> closestHit(const IndexedGeometry<BruteForce>&, const Ray&, RayMask);
+template bool anyHit(const IndexedGeometry<BruteForce>&, const Ray&, RayMask);
+template SurfacePoint surfaceAt(const IndexedGeometry<BruteForce>&, const Ray&, const Hit&);
+template Vec2 textureCoordinates(const IndexedGeometry<BruteForce>&, const SurfacePoint&, const Hit&, int);
+template Vec4 vertexColor(const IndexedGeometry<BruteForce>&, const Hit&);
+
+template std::optional<Hit> closestHit(const IndexedGeometry<Bvh2>&, const Ray&, RayMask);
+template bool anyHit(const IndexedGeometry<Bvh2>&, const Ray&, RayMask);
+template SurfacePoint surfaceAt(const IndexedGeometry<Bvh2>&, const Ray&, const Hit&);
+template Vec2 textureCoordinates(const IndexedGeometry<Bvh2>&, const SurfacePoint&, const Hit&, int);
+template Vec4 vertexColor(const IndexedGeometry<Bvh2>&, const Hit&);
+
+}

@@ -1,0 +1,95 @@
+// How the indices of meshes and placed objects are built.
+
+#include <unordered_set>
+
+#include "core/geometry/accel.h"
+
+namespace eyeray {
+namespace {
+
+constexpr int kTrianglesPerLeaf = 4;
+constexpr int kInstancesPerLeaf = 1; // mapping a ray to an instance costs more than a node
+
+// Empty, so that no index takes it, unless it is finite and has an area.
+Bounds indexedBounds(const TriangleMesh& mesh, std::uint32_t triangle) {
+    const auto& [a, b, c] = mesh.triangles[triangle];
+    const DVec3 p(mesh.positions[a]), q(mesh.positions[b]), r(mesh.positions[c]);
+    const DVec3 normal = glm::cross(q - p, r - p);
+    return isFinite(normal) && normal != DVec3(0) ? boundsOf(mesh, triangle) : Bounds{};
+}
+
+template <class Index>
+struct ObjectBounds {
+    Bounds operator()(const Shape& shape) const { return boundsOf(shape); }
+    Bounds operator()(const std::shared_ptr<const IndexedMesh<Index>>& mesh) const { return mesh->bounds; }
+};
+
+// Holds every world point whose way back to object space, with its rounding, leads into the object.
+template <class Index>
+Bounds worldBounds(const Instance<Index>& instance) {
+    const Bounds object = std::visit(ObjectBounds<Index>{}, instance.geometry);
+    Bounds world = boundsOf(instance.objectToWorld, object);
+    if (!world.finite()) return world;
+    const Vec3 farthest = glm::max(glm::abs(object.lo), glm::abs(object.hi));
+    const Vec3 error = mapError(instance.objectToWorld, instance.worldToObject, farthest);
+    world.lo -= error;
+    world.hi += error;
+    return world;
+}
+
+template <class Index>
+bool unbounded(const Instance<Index>& instance) {
+    const Shape* shape = std::get_if<Shape>(&instance.geometry);
+    return shape != nullptr && !boundsOf(*shape).finite() && !boundsOf(*shape).empty();
+}
+
+}
+
+template <class Index>
+std::shared_ptr<const IndexedMesh<Index>> indexMesh(std::shared_ptr<const TriangleMesh> mesh,
+                                                    const std::stop_token& stop) {
+    std::vector<Bounds> boxes;
+    Bounds bounds;
+    boxes.reserve(mesh->triangles.size());
+    for (std::uint32_t i = 0; i < mesh->triangles.size(); ++i) {
+        boxes.push_back(indexedBounds(*mesh, i));
+        bounds.add(boxes.back());
+    }
+    Index index(boxes, kTrianglesPerLeaf, stop);
+    std::vector<TriangleCorners> corners;
+    corners.reserve(index.entries().size());
+    for (const std::uint32_t triangle : index.entries()) corners.push_back(cornersOf(*mesh, triangle));
+    return std::make_shared<const IndexedMesh<Index>>(
+        IndexedMesh<Index>{std::move(mesh), std::move(index), std::move(corners), bounds});
+}
+
+template <class Index>
+IndexedGeometry<Index> indexInstances(std::vector<Instance<Index>> instances, const std::stop_token& stop) {
+    IndexedGeometry<Index> result;
+    std::vector<Bounds> boxes;
+    std::unordered_set<const IndexedMesh<Index>*> counted;
+    for (std::uint32_t i = 0; i < instances.size(); ++i) {
+        if (unbounded(instances[i])) result.unbounded.push_back(i);
+        boxes.push_back(worldBounds(instances[i]));
+        const auto* mesh = std::get_if<1>(&instances[i].geometry);
+        result.primitives += mesh != nullptr ? (*mesh)->corners.size() : 1;
+        if (mesh == nullptr || !counted.insert(mesh->get()).second) continue;
+        result.nodes += (*mesh)->index.nodeCount();
+        result.bytes += (*mesh)->index.bytes() + (*mesh)->corners.size() * sizeof(TriangleCorners);
+    }
+    result.instances = std::move(instances);
+    result.top = Index(boxes, kInstancesPerLeaf, stop);
+    result.nodes += result.top.nodeCount();
+    result.bytes += result.top.bytes();
+    return result;
+}
+
+template std::shared_ptr<const IndexedMesh<BruteForce>> indexMesh(std::shared_ptr<const TriangleMesh>,
+                                                                  const std::stop_token&);
+template std::shared_ptr<const IndexedMesh<Bvh2>> indexMesh(std::shared_ptr<const TriangleMesh>,
+                                                            const std::stop_token&);
+template IndexedGeometry<BruteForce> indexInstances(std::vector<Instance<BruteForce>>,
+                                                    const std::stop_token&);
+template IndexedGeometry<Bvh2> indexInstances(std::vector<Instance<Bvh2>>, const std::stop_token&);
+
+}

@@ -1,0 +1,91 @@
+#pragma once
+// Binary bounding volume hierarchy.
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <stop_token>
+#include <vector>
+
+#include "core/geometry/bounds.h"
+#include "core/geometry/ray.h"
+#include "core/geometry/slab.h"
+
+namespace eyeray {
+
+/// A tree over boxes, split by the surface area heuristic in 16 bins. I. Wald 2007, "On fast Construction of
+/// SAH-based Bounding Volume Hierarchies", IEEE Symposium on Interactive Ray Tracing. The same boxes give the
+/// same tree.
+class Bvh2 {
+public:
+    static constexpr int kMaxDepth = 64;
+
+    /// The two children of a node lie side by side; a leaf has its slots [first, first + count).
+    struct Node {
+        std::array<std::array<float, 3>, 2> corners; // lower, upper
+        std::uint32_t first;                         // slot of a leaf, else left child
+        std::uint32_t count;                         // of a leaf, else 0
+    };
+    static_assert(sizeof(Node) == 32);
+
+    Bvh2() = default;
+    /// Takes the boxes that are finite and not empty; leaves hold up to `leafSize`. Empty if `stop` was
+    /// requested.
+    Bvh2(std::span<const Bounds> boxes, int leafSize, const std::stop_token& stop);
+
+    /// Calls test(slot) for the entries whose boxes the ray may meet at t in [tMin, limit], roughly from near
+    /// to far, until it returns true; whether it did. `limit` may shrink meanwhile.
+    template <class Test>
+    bool visit(const Ray& ray, const float& limit, Test&& test) const;
+
+    /// Which box each slot stands for.
+    std::span<const std::uint32_t> entries() const { return entries_; }
+    /// The root first; none if the tree is empty.
+    std::span<const Node> nodes() const { return nodes_; }
+    std::size_t nodeCount() const { return nodes_.size(); }
+    std::size_t bytes() const {
+        return nodes_.size() * sizeof(Node) + entries_.size() * sizeof(std::uint32_t);
+    }
+
+private:
+    Bounds bounds_;
+    std::vector<Node> nodes_;
+    std::vector<std::uint32_t> entries_;
+};
+
+template <class Test>
+bool Bvh2::visit(const Ray& ray, const float& limit, Test&& test) const {
+    if (nodes_.empty()) return false;
+    const RaySlab slab(ray, bounds_);
+    if (slab.enter(nodes_[0].corners, limit) == kInfinity) return false;
+
+    struct Pending {
+        std::uint32_t node;
+        float enters;
+    };
+    std::array<Pending, kMaxDepth> stack;
+    std::size_t pending = 0;
+    const Node* node = nodes_.data();
+    while (true) {
+        if (node->count == 0) {
+            Pending near{node->first, slab.enter(nodes_[node->first].corners, limit)};
+            Pending far{node->first + 1, slab.enter(nodes_[node->first + 1].corners, limit)};
+            if (far.enters < near.enters) std::swap(near, far);
+            if (near.enters != kInfinity) {
+                if (far.enters != kInfinity) stack[pending++] = far;
+                node = &nodes_[near.node];
+                continue;
+            }
+        } else {
+            for (std::uint32_t slot = node->first; slot < node->first + node->count; ++slot)
+                if (test(slot)) return true;
+        }
+        do {
+            if (pending == 0) return false;
+            --pending;
+        } while (stack[pending].enters > limit);
+        node = &nodes_[stack[pending].node];
+    }
+}
+
+}

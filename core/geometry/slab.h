@@ -1,0 +1,66 @@
+#pragma once
+// When a ray is inside a box: what the indices cull by.
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "core/base/math.h"
+#include "core/geometry/bounds.h"
+#include "core/geometry/ray.h"
+
+namespace eyeray {
+
+/// A ray prepared for tests against many boxes, which may answer yes in doubt, never no: T. Ize 2013, "Robust
+/// BVH Ray Traversal", JCGT 2(2), for the rounding of the test itself; and boxes count as grown a little, so
+/// that they hold whatever the leaf's own test finds in spite of its rounding.
+class RaySlab {
+public:
+    /// `world` is a box around all boxes that will be tested.
+    RaySlab(const Ray& ray, const Bounds& world) : tMin_(ray.tMin) {
+        const float growth = kGrowth * reach(ray.origin, world);
+        for (int axis = 0; axis < 3; ++axis) {
+            const auto i = static_cast<std::size_t>(axis);
+            inverse_[i] = 1.0F / ray.direction[axis];
+            near_[i] = std::signbit(ray.direction[axis]) ? 1U : 0U;
+            const float outward = near_[i] == 1U ? -growth : growth;
+            originNear_[i] = ray.origin[axis] + outward;
+            originFar_[i] = ray.origin[axis] - outward;
+        }
+    }
+
+    /// Least t in [tMin, limit] at which the ray is in the box, infinite if there is none. `corners` are its
+    /// lower and upper one.
+    float enter(const std::array<std::array<float, 3>, 2>& corners, float limit) const {
+        // A zero direction in the plane of a face gives 0·∞ = NaN; comparisons in this order then keep the
+        // other axes' answer.
+        float enters = tMin_, leaves = limit;
+        for (std::size_t i = 0; i < 3; ++i) {
+            const float t0 = (corners[near_[i]][i] - originNear_[i]) * inverse_[i];
+            const float t1 = (corners[1U - near_[i]][i] - originFar_[i]) * inverse_[i] * kLater;
+            enters = t0 > enters ? t0 : enters;
+            leaves = t1 < leaves ? t1 : leaves;
+        }
+        return enters <= leaves ? enters : kInfinity;
+    }
+
+private:
+    // Rounding of three operations on either side.
+    static constexpr float kLater = 1.0F + 2.0F * gammaBound(3);
+    // The shear of a triangle's vertices rounds by up to 4 units of 2⁻²⁴ of their distance, the ray's map to
+    // an instance by up to 12.
+    static constexpr float kGrowth = 16 * 0x1p-24F;
+
+    static float reach(const Vec3& origin, const Bounds& world) {
+        float farthest = 0;
+        for (int axis = 0; axis < 3; ++axis)
+            farthest = std::max({farthest, world.hi[axis] - origin[axis], origin[axis] - world.lo[axis]});
+        return farthest;
+    }
+
+    float tMin_;
+    std::array<float, 3> originNear_, originFar_, inverse_;
+    std::array<std::size_t, 3> near_; // which corner the ray meets first on each axis
+};
+
+}
