@@ -73,8 +73,11 @@ struct Material {
 /// Akenine-Möller et al. 2018, "Real-Time Rendering" 4th ed., section 9.8, for the factor (n + 8)/8.
 TaughtMaterial asTaught(const GltfMaterial&);
 
-/// A glTF material that looks like a taught one: base colour kd, or kr with metallic 1 for a mirror without
-/// diffuse part, or kt for glass; roughness from the shininess by the inverse of the above.
+/// A glTF material that looks like a taught one (textures are left to the caller): base colour kd, or kr with
+/// metallic 1 for a mirror without diffuse part, or kd + kt for glass. Roughness comes from the shininess by
+/// the inverse of the above; it is 0 where light is mirrored or transmitted, for that is always sharp in the
+/// lectures. What a diffuse material mirrors, kr or the highlight's ks·8/(n + 8), becomes its specular
+/// colour.
 GltfMaterial asPhysical(const TaughtMaterial&);
 
 inline constexpr float kMaxShininess = 1024;
