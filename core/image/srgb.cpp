@@ -11,11 +11,10 @@ constexpr double kEncodedEnd = 0.04045;  // its encoded value, as the standard r
 
 /// a^(1/5) for 0 < a <= 1 by Newton's method, which comes down from 1 until it can get no lower.
 constexpr double fifthRoot(double a) {
+    const auto improve = [a](double root) { return root - (root - a / (root * root * root * root)) / 5; };
     double root = 1;
-    for (double next = root;; root = next) {
-        next = root - (root - a / (root * root * root * root)) / 5;
-        if (next >= root) return root;
-    }
+    while (improve(root) < root) root = improve(root);
+    return root;
 }
 
 /// Linear value of an encoded one in 0 … 1, at compile time: other constants may be built from the tables.

@@ -1,0 +1,30 @@
+#pragma once
+// One function per file format, for encode.cpp and decode.cpp. Images to encode are not empty.
+
+#include <cstddef>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "core/image/encode.h"
+#include "core/image/pixels.h"
+
+namespace eyeray {
+
+/// W3C, "Portable Network Graphics (PNG) Specification (Second Edition)", 2003; through libpng.
+std::vector<std::byte> encodePng(const ByteImage& image, const Metadata& metadata);
+
+/// Scan lines of 32-bit floats under ZIP compression; through OpenEXR. A key that OpenEXR itself uses, such
+/// as "channels", is no key for metadata.
+std::vector<std::byte> encodeExr(const ColorImage& image, const Metadata& metadata);
+
+/// Ward, "Real Pixels", Graphics Gems II, 1991; run lengths as in the file format of Radiance.
+std::vector<std::byte> encodeHdr(const ColorImage& image);
+
+/// Portable float map: little-endian, bottom row first. Debevec, "PFM format", 1998.
+std::vector<std::byte> encodePfm(const ColorImage& image);
+
+/// Binary portable pixmap (P6); alpha is dropped.
+std::vector<std::byte> encodePpm(const ByteImage& image);
+
+}
