@@ -1,0 +1,132 @@
+#include "core/render/film.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <new>
+
+namespace eyeray {
+namespace {
+
+std::uint64_t nextFilmId() {
+    static std::atomic<std::uint64_t> id = 0;
+    return ++id;
+}
+
+}
+
+Film::Film(int width, int height) : width_(width), height_(height), id_(nextFilmId()) {
+    try {
+        const auto count = static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
+        for (auto& sum : sums_) sum.assign(count, DVec3(0));
+        for (auto& square : squares_) square.assign(count, 0);
+        shown_ = ColorImage(width, height, Color(0));
+    } catch (const std::bad_alloc&) {
+        throw Failure(fmt::format("picture of {}x{}", width, height), "there is not enough memory",
+                      "choose a smaller size");
+    }
+    for (int y = 0; y < height; y += kTileSize)
+        for (int x = 0; x < width; x += kTileSize)
+            tiles_.push_back({{x, y, std::min(x + kTileSize, width), std::min(y + kTileSize, height), 1}});
+}
+
+void Film::reset() {
+    for (TileState& state : tiles_) {
+        state.passes = 0;
+        ++state.version;
+    }
+    id_ = nextFilmId();
+}
+
+int Film::passes(int tileIndex) const {
+    const std::scoped_lock lock(mutexOf(tileIndex));
+    return tiles_[static_cast<std::size_t>(tileIndex)].passes;
+}
+
+void Film::add(int tileIndex, const TileResult& result, int pass) {
+    TileState& state = tiles_[static_cast<std::size_t>(tileIndex)];
+    const std::scoped_lock lock(mutexOf(tileIndex));
+    const auto now = static_cast<std::size_t>(pass & 1), before = now ^ 1U;
+    std::size_t next = 0;
+    for (int y = state.area.y0; y < state.area.y1; ++y)
+        for (int x = state.area.x0; x < state.area.x1; ++x) {
+            const std::size_t i = index(x, y);
+            const Color& sample = result.radiance[next++];
+            const double luma = luminance(sample);
+            sums_[now][i] = pass == 0 ? DVec3(sample) : sums_[before][i] + DVec3(sample);
+            squares_[now][i] = pass == 0 ? luma * luma : squares_[before][i] + luma * luma;
+            shown_.at(x, y) = Color(sums_[now][i] / static_cast<double>(pass + 1));
+        }
+    state.passes = pass + 1;
+    ++state.version;
+}
+
+void Film::preview(int tileIndex, const TileResult& result) {
+    TileState& state = tiles_[static_cast<std::size_t>(tileIndex)];
+    const std::scoped_lock lock(mutexOf(tileIndex));
+    if (state.passes > 0) return;
+    const Tile& traced = result.tile;
+    const int columns = (traced.x1 - traced.x0 + traced.step - 1) / traced.step;
+    for (int y = traced.y0; y < traced.y1; ++y)
+        for (int x = traced.x0; x < traced.x1; ++x) {
+            const int block = (y - traced.y0) / traced.step * columns + (x - traced.x0) / traced.step;
+            shown_.at(x, y) = result.radiance[static_cast<std::size_t>(block)];
+        }
+    ++state.version;
+}
+
+std::vector<int> Film::read(Picture& picture) const {
+    if (picture.film != id_ || picture.radiance.width() != width_ || picture.radiance.height() != height_) {
+        if (picture.radiance.width() != width_ || picture.radiance.height() != height_)
+            picture.radiance = ColorImage(width_, height_);
+        picture.versions.assign(tiles_.size(), 0xffffffff);
+        picture.film = id_;
+    }
+    std::vector<int> changed;
+    for (int i = 0; i < tiles(); ++i) {
+        const TileState& state = tiles_[static_cast<std::size_t>(i)];
+        const std::scoped_lock lock(mutexOf(i));
+        auto& version = picture.versions[static_cast<std::size_t>(i)];
+        if (version == state.version) continue;
+        version = state.version;
+        changed.push_back(i);
+        for (int y = state.area.y0; y < state.area.y1; ++y)
+            std::copy(&shown_.at(state.area.x0, y),
+                      &shown_.at(state.area.x0, y) + (state.area.x1 - state.area.x0),
+                      &picture.radiance.at(state.area.x0, y));
+    }
+    return changed;
+}
+
+ColorImage Film::mean(int passes) const {
+    ENSURE(passes >= 1);
+    ColorImage result(width_, height_);
+    const auto& sum = sums_[static_cast<std::size_t>((passes - 1) & 1)];
+    for (std::size_t i = 0; i < sum.size(); ++i)
+        result.values()[i] = Color(sum[i] / static_cast<double>(passes));
+    return result;
+}
+
+double Film::estimatedError(int passes, const DisplaySettings& settings) const {
+    ENSURE(passes >= 2);
+    const auto last = static_cast<std::size_t>((passes - 1) & 1);
+    const double n = passes;
+    double largest = 0;
+    for (const TileState& state : tiles_) {
+        double squared = 0;
+        for (int y = state.area.y0; y < state.area.y1; ++y)
+            for (int x = state.area.x0; x < state.area.x1; ++x) {
+                const std::size_t i = index(x, y);
+                const double mean = luminance(Color(sums_[last][i] / n));
+                const double variance = std::max(0.0, (squares_[last][i] / n - mean * mean) / (n - 1));
+                if (variance <= 1e-12 * mean * mean) continue;
+                const double slope = displaySlope(static_cast<float>(mean), settings);
+                squared += variance * slope * slope;
+            }
+        const int pixels = (state.area.x1 - state.area.x0) * (state.area.y1 - state.area.y0);
+        largest = std::max(largest, squared / pixels);
+    }
+    return std::sqrt(largest);
+}
+
+}

@@ -1,0 +1,314 @@
+#include "core/render/render_session.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <numeric>
+
+namespace eyeray {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+using Phase = RenderStatus::Phase;
+
+constexpr double kCoarseSeconds = 0.012; // what a coarse picture may take, to fit a frame with all else
+constexpr int kCoarsestStep = 32, kFinestStep = 4, kFirstStep = 16;
+constexpr int kErrorPilot = 16,
+              kErrorInterval = 8; // passes before the error is first looked at, and between looks
+
+double secondsSince(Clock::time_point start) {
+    return std::chrono::duration<double>(Clock::now() - start).count();
+}
+
+std::vector<int> tilesFrom(const Film& film, const DVec2& focus) {
+    std::vector<int> order(static_cast<std::size_t>(film.tiles()));
+    std::iota(order.begin(), order.end(), 0);
+    const auto distance = [&](int index) {
+        const Tile tile = film.tile(index);
+        return glm::length(DVec2(tile.x0 + tile.x1, tile.y0 + tile.y1) * 0.5 - focus);
+    };
+    std::stable_sort(order.begin(), order.end(), [&](int a, int b) { return distance(a) < distance(b); });
+    return order;
+}
+
+}
+
+struct RenderSession::Job {
+    RenderSettings settings;
+    std::shared_ptr<const TraceContext> context; // never stopped: for retracing
+    std::unique_ptr<const Integrator> integrator;
+    std::shared_ptr<Film> film;
+    DVec2 focus;
+    Clock::time_point asked = Clock::now();
+
+    std::mutex betweenPasses; // held while the sums of whole passes may change
+    std::vector<int> order;   // of tiles
+    std::stop_source stop;    // of the loop under way; a new one for each
+    bool cancelled = false;
+    std::atomic<int> tilesDone = 0, tilesInAll = 1;
+    RenderStatus status; // guarded by the session's mutex
+    int passes = 0;      // whole ones; guarded by betweenPasses
+};
+
+double RenderStatus::mraysPerSecond() const {
+    return seconds > 0 ? static_cast<double>(counts.total()) / seconds * 1e-6 : 0;
+}
+
+RenderSession::RenderSession(int threads)
+    : pool_(threads), coordinator_([this](const std::stop_token& end) { coordinate(end); }) {}
+
+RenderSession::~RenderSession() {
+    stop();
+    coordinator_.request_stop();
+}
+
+void RenderSession::start(std::shared_ptr<const World> world, const Camera& camera,
+                          const RenderSettings& settings) {
+    auto job = std::make_shared<Job>();
+    job->settings = settings;
+    job->integrator = makeIntegrator(settings.trace.method);
+    job->context =
+        std::make_shared<const TraceContext>(std::move(world), camera, settings.trace, settings.width,
+                                             settings.height, settings.seed, std::stop_token{});
+    job->focus = focus_.x >= 0 ? focus_ : DVec2(settings.width, settings.height) * 0.5;
+    job->status.phase = Phase::Coarse;
+    job->status.threads = pool_.threads();
+    const std::scoped_lock lock(mutex_);
+    if (running_) {
+        running_->cancelled = true;
+        running_->stop.request_stop();
+    }
+    pending_ = std::move(job);
+    changed_.notify_all();
+}
+
+void RenderSession::stop() {
+    std::unique_lock lock(mutex_);
+    pending_ = nullptr;
+    if (running_) {
+        running_->cancelled = true;
+        running_->stop.request_stop();
+    }
+    changed_.notify_all();
+    changed_.wait(lock, [&] { return running_ == nullptr; });
+}
+
+void RenderSession::pause() {
+    const std::scoped_lock lock(mutex_);
+    paused_ = true;
+    if (running_ && running_->status.phase == Phase::Refining) running_->stop.request_stop();
+}
+
+void RenderSession::resume() {
+    const std::scoped_lock lock(mutex_);
+    paused_ = false;
+    changed_.notify_all();
+}
+
+RenderStatus RenderSession::status() const {
+    const std::scoped_lock lock(mutex_);
+    const auto& job = pending_ ? pending_ : (running_ ? running_ : last_);
+    if (!job) return {};
+    RenderStatus status = job->status;
+    status.passProgress =
+        status.phase == Phase::Finished
+            ? 1.0
+            : static_cast<double>(job->tilesDone) / std::max(1.0, static_cast<double>(job->order.size()));
+    return status;
+}
+
+RenderStatus RenderSession::wait(std::chrono::milliseconds timeout) {
+    {
+        std::unique_lock lock(mutex_);
+        changed_.wait_for(lock, timeout, [&] { return !pending_ && !running_; });
+    }
+    return status();
+}
+
+std::vector<Tile> RenderSession::read(Picture& picture) const {
+    std::shared_ptr<Film> film;
+    {
+        const std::scoped_lock lock(mutex_);
+        if (!shown_) return {};
+        film = shown_->film;
+    }
+    std::vector<Tile> tiles;
+    for (const int index : film->read(picture)) tiles.push_back(film->tile(index));
+    return tiles;
+}
+
+ColorImage RenderSession::image() const {
+    std::shared_ptr<Job> job;
+    {
+        const std::scoped_lock lock(mutex_);
+        job = shown_;
+    }
+    if (!job) return {};
+    const std::scoped_lock lock(job->betweenPasses);
+    return job->passes > 0 ? job->film->mean(job->passes) : ColorImage{};
+}
+
+std::optional<Retrace> RenderSession::retrace(int x, int y, int pass) const {
+    std::shared_ptr<Job> job;
+    {
+        const std::scoped_lock lock(mutex_);
+        job = shown_;
+    }
+    if (!job || x < 0 || y < 0 || x >= job->settings.width || y >= job->settings.height) return std::nullopt;
+    const FloatEnvironment environment;
+    return job->integrator->retrace(*job->context, x, y, job->settings.firstPass + pass);
+}
+
+std::shared_ptr<Film> RenderSession::freeFilm(int width, int height) {
+    const std::scoped_lock lock(mutex_);
+    std::erase_if(films_,
+                  [&](const auto& film) { return film->width() != width || film->height() != height; });
+    for (const auto& film : films_)
+        if (film.use_count() == 1) {
+            film->reset();
+            return film;
+        }
+    return films_.emplace_back(std::make_shared<Film>(width, height));
+}
+
+void RenderSession::coordinate(const std::stop_token& end) {
+    while (true) {
+        std::shared_ptr<Job> job;
+        {
+            std::unique_lock lock(mutex_);
+            if (!changed_.wait(lock, end, [&] { return pending_ != nullptr; })) return;
+            job = running_ = std::move(pending_);
+            pending_ = nullptr;
+        }
+        std::string failure;
+        try {
+            run(job);
+        } catch (const std::exception& error) {
+            failure = error.what();
+        }
+        const std::scoped_lock lock(mutex_);
+        if (!failure.empty()) {
+            job->status.phase = Phase::Failed;
+            job->status.failure = printable(failure, 400);
+        } else if (job->cancelled) {
+            job->status.phase = Phase::Idle;
+        }
+        last_ = std::move(running_);
+        running_ = nullptr;
+        changed_.notify_all();
+    }
+}
+
+void RenderSession::run(const std::shared_ptr<Job>& job) {
+    job->film = freeFilm(job->settings.width, job->settings.height);
+    job->order = tilesFrom(*job->film, job->focus);
+    job->tilesInAll = job->film->tiles();
+    if (job->settings.coarse) {
+        const double pixels = static_cast<double>(job->settings.width) * job->settings.height;
+        int step = secondsPerPixel_ > 0 ? kFinestStep : kFirstStep;
+        while (step < kCoarsestStep && secondsPerPixel_ * pixels / (step * step) > kCoarseSeconds) step *= 2;
+        traceCoarse(*job, step);
+    }
+    {
+        const std::scoped_lock lock(mutex_);
+        if (job->cancelled) return;
+        shown_ = job;
+        job->status.phase = Phase::Refining;
+        job->status.secondsToCoarse = secondsSince(job->asked);
+    }
+    if (job->settings.coarse) traceCoarse(*job, kFinestStep);
+    int pass = 0;
+    while (!finished(*job) && waitWhilePaused(*job))
+        if (tracePass(*job, pass)) ++pass;
+}
+
+void RenderSession::traceCoarse(Job& job, int step) {
+    const auto start = Clock::now();
+    {
+        const std::scoped_lock lock(mutex_);
+        if (job.cancelled) return;
+        job.stop = std::stop_source();
+    }
+    TraceContext context = *job.context;
+    context.stop = job.stop.get_token();
+    const bool whole = pool_.forEach(static_cast<int>(job.order.size()), context.stop, [&](int i) {
+        const int index = job.order[static_cast<std::size_t>(i)];
+        Tile tile = job.film->tile(index);
+        tile.step = step;
+        const TileResult result = job.integrator->renderTile(context, tile, job.settings.firstPass);
+        if (result.complete) job.film->preview(index, result);
+    });
+    if (!whole) return;
+    const double pixels = static_cast<double>(job.settings.width) * job.settings.height / (step * step);
+    const std::scoped_lock lock(mutex_);
+    secondsPerPixel_ = secondsSince(start) / pixels;
+}
+
+/// False if it was broken off; its finished tiles stay and need not be done again.
+bool RenderSession::tracePass(Job& job, int pass) {
+    const auto start = Clock::now();
+    {
+        const std::scoped_lock lock(mutex_);
+        if (job.cancelled || paused_) return false;
+        job.stop = std::stop_source();
+        job.tilesDone = 0;
+    }
+    TraceContext context = *job.context;
+    context.stop = job.stop.get_token();
+    const double before = job.status.seconds;
+    const double limit = pass > 0 && job.settings.stop.seconds > 0 ? job.settings.stop.seconds : kInfinity;
+    const bool whole = pool_.forEach(static_cast<int>(job.order.size()), context.stop, [&](int i) {
+        const int index = job.order[static_cast<std::size_t>(i)];
+        if (before + secondsSince(start) > limit) job.stop.request_stop();
+        if (job.film->passes(index) <= pass) {
+            const TileResult result =
+                job.integrator->renderTile(context, job.film->tile(index), job.settings.firstPass + pass);
+            if (!result.complete) return;
+            job.film->add(index, result, pass);
+            const std::scoped_lock lock(mutex_);
+            job.status.counts += result.counts;
+        }
+        ++job.tilesDone;
+    });
+    const bool complete = whole && job.tilesDone == static_cast<int>(job.order.size());
+    const std::scoped_lock between(job.betweenPasses);
+    const std::scoped_lock lock(mutex_);
+    job.status.seconds = before + secondsSince(start);
+    if (complete) job.status.samples = job.passes = pass + 1;
+    return complete;
+}
+
+bool RenderSession::waitWhilePaused(Job& job) {
+    std::unique_lock lock(mutex_);
+    if (paused_) {
+        job.status.phase = Phase::Paused;
+        changed_.wait(lock, [&] { return !paused_ || job.cancelled; });
+        job.status.phase = Phase::Refining;
+    }
+    return !job.cancelled;
+}
+
+bool RenderSession::finished(Job& job) {
+    const StopSettings& stop = job.settings.stop;
+    const int passes = job.passes;
+    const auto finishedBy = [&](std::string reason) {
+        const std::scoped_lock lock(mutex_);
+        job.status.phase = Phase::Finished;
+        job.status.finishedBy = std::move(reason);
+        return true;
+    };
+    if (passes >= stop.samples) return finishedBy(fmt::format("{} samples", stop.samples));
+    if (passes > 0 && stop.seconds > 0 && job.status.seconds >= stop.seconds)
+        return finishedBy(fmt::format("{} s", stop.seconds));
+    if (stop.error <= 0 || passes < kErrorPilot || passes % kErrorInterval != 0) return false;
+    const double error = job.film->estimatedError(passes, job.settings.display);
+    {
+        const std::scoped_lock lock(mutex_);
+        job.status.estimatedError = error;
+    }
+    if (error > stop.error) return false;
+    return finishedBy(error <= kInvisibleError ? "no visible error left"
+                                               : fmt::format("error below {}", stop.error));
+}
+
+}

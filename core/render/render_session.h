@@ -1,0 +1,100 @@
+#pragma once
+// A picture that refines in the background until it is good enough, and starts anew at every change.
+
+#include <chrono>
+#include <condition_variable>
+#include <memory>
+#include <mutex>
+#include <string>
+#include <thread>
+
+#include "core/base/thread_pool.h"
+#include "core/render/film.h"
+#include "core/render/render_settings.h"
+#include "core/scene/camera.h"
+#include "core/scene/world.h"
+#include "core/transport/integrator.h"
+
+namespace eyeray {
+
+struct RenderStatus {
+    enum class Phase : std::uint8_t { Idle, Coarse, Refining, Paused, Finished, Failed } phase = Phase::Idle;
+    int samples = 0;            // whole passes
+    double passProgress = 0;    // of the pass under way, 0 to 1
+    double seconds = 0;         // spent tracing this picture, pauses left out
+    double secondsToCoarse = 0; // from start() to a whole coarse picture; 0 until there is one
+    double estimatedError = -1; // Film::estimatedError when last looked at; −1: not yet
+    RayCounts counts;           // of the passes, the coarse picture left out
+    std::string finishedBy;     // which of the stop conditions ended it: "256 samples"
+    std::string failure;        // one line, when it has failed
+    int threads = 1;
+
+    bool active() const { return phase == Phase::Coarse || phase == Phase::Refining; }
+    double mraysPerSecond() const;
+};
+
+/// All functions are called by one thread (the user interface) and never wait for tracing, unless they say
+/// so.
+class RenderSession {
+public:
+    /// `threads` that trace; 0: one per core.
+    explicit RenderSession(int threads = 0);
+    ~RenderSession();
+    RenderSession(const RenderSession&) = delete;
+    RenderSession& operator=(const RenderSession&) = delete;
+
+    /// Drops what is being traced and starts a new picture: coarse blocks, then one sample per pixel and
+    /// pass. What read() shows stays until the coarse picture is whole.
+    void start(std::shared_ptr<const World>, const Camera&, const RenderSettings&);
+
+    /// Stops tracing and waits until the threads are idle: a few milliseconds. The picture stays, with its
+    /// whole passes.
+    void stop();
+
+    void pause();
+    void resume();
+
+    /// Tiles near this pixel come first, from the next picture on; by default those in the middle.
+    void setFocus(DVec2 pixel) { focus_ = pixel; }
+    void clearFocus() { focus_ = DVec2(-1); }
+
+    RenderStatus status() const;
+
+    /// Waits until tracing has ended or for `timeout`.
+    RenderStatus wait(std::chrono::milliseconds timeout);
+
+    /// Brings `picture` up to date; returns the tiles that changed.
+    std::vector<Tile> read(Picture& picture) const;
+
+    /// Mean of the whole passes; empty if there is none.
+    ColorImage image() const;
+
+    /// One sample of the picture shown, traced again with its rays on record. Nothing if there is no picture
+    /// or the pixel is outside.
+    std::optional<Retrace> retrace(int x, int y, int pass) const;
+
+private:
+    struct Job;
+    void coordinate(const std::stop_token& end);
+    void run(const std::shared_ptr<Job>&);
+    void traceCoarse(Job&, int step);
+    bool tracePass(Job&, int pass);
+    bool waitWhilePaused(Job&);
+    bool finished(Job&);
+    std::shared_ptr<Film> freeFilm(int width, int height);
+
+    ThreadPool pool_;
+    DVec2 focus_{-1};
+
+    mutable std::mutex mutex_; // of all below
+    std::condition_variable_any changed_;
+    std::shared_ptr<Job> pending_, running_; // to be traced next, being traced
+    std::shared_ptr<Job> shown_, last_;      // whose picture read() shows; the last that ended
+    std::vector<std::shared_ptr<Film>> films_;
+    bool paused_ = false;
+    double secondsPerPixel_ = 0; // of tracing, on all threads; as last measured
+
+    std::jthread coordinator_;
+};
+
+}

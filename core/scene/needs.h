@@ -1,0 +1,23 @@
+#pragma once
+// What a scene can need at all: the rest is never modelled or traced.
+
+#include <string>
+#include <vector>
+
+#include "core/scene/scene.h"
+
+namespace eyeray {
+
+/// What can change a pixel. Every `false` is proved from the scene alone, and `reasons` says why.
+struct SceneNeeds {
+    bool shadows = false;     // some lamp shines and something can block it
+    bool reflections = false; // some visible material reflects or is a dielectric
+    bool refractions = false; // some visible material transmits
+    bool textures = false;    // some visible material reads a texture or vertex colours
+    std::vector<std::string>
+        reasons; // one line for each thing left out: "no refraction rays: nothing transmits light"
+};
+
+SceneNeeds analyseNeeds(const Scene&);
+
+}

@@ -1,0 +1,218 @@
+#include "core/scene/world.h"
+
+#include <type_traits>
+#include <unordered_map>
+
+namespace eyeray {
+namespace {
+
+template <class... Fs>
+struct Overloaded : Fs... {
+    using Fs::operator()...;
+};
+template <class... Fs>
+Overloaded(Fs...) -> Overloaded<Fs...>;
+
+template <class T>
+const T& at(const std::vector<T>& values, int id) {
+    return values[static_cast<std::size_t>(id)];
+}
+
+std::size_t primitivesOf(const Scene& scene) {
+    std::size_t count = 0;
+    for (const Object& object : scene.objects) {
+        const auto* mesh = std::get_if<MeshId>(&object.geometry);
+        count += mesh != nullptr ? at(scene.meshes, mesh->index).triangles->triangles.size() : 1;
+    }
+    return count;
+}
+
+bool usesTextures(const TaughtMaterial& m) { return m.diffuseTexture.used(); }
+bool usesTextures(const GltfMaterial& m) {
+    return m.baseColorTexture.used() || m.metallicRoughnessTexture.used() || m.emissiveTexture.used() ||
+           m.transmissionTexture.used();
+}
+
+WorldMaterial prepared(const Material& material) {
+    return std::visit(
+        [](const auto& model) {
+            return WorldMaterial{.surface = surfaceOf(model), .varies = usesTextures(model), .model = model};
+        },
+        material.model);
+}
+
+DMat4 relativeTo(const DVec3& origin, DMat4 transform) {
+    transform[3] -= DVec4(origin, 0);
+    return transform;
+}
+
+bool invertible(const DMat4& m) {
+    const double determinant = glm::determinant(DMat3(m));
+    return std::isfinite(determinant) && determinant != 0;
+}
+
+/// Builds the instances of one World, in scene order.
+template <class Index>
+class Builder {
+public:
+    Builder(const Scene& scene, World& world, const World* previous, std::stop_token stop)
+        : scene_(scene), world_(world), stop_(std::move(stop)) {
+        if (previous == nullptr) return;
+        const auto* old = std::get_if<IndexedGeometry<Index>>(previous->accel.get());
+        if (old == nullptr) return;
+        for (const auto& instance : old->instances)
+            if (const auto* mesh = std::get_if<std::shared_ptr<const IndexedMesh<Index>>>(&instance.geometry))
+                meshes_.emplace((*mesh)->mesh.get(), *mesh);
+    }
+
+    void add(const Object& object, int id) {
+        if (!object.visible || !invertible(object.transform)) return;
+        const WorldMaterial& material = at(world_.materials, object.material);
+        const bool transmits = material.surface.transmits();
+        const bool vertexColors = std::visit(
+            Overloaded{[&](MeshId mesh) { return !at(scene_.meshes, mesh.index).triangles->colors.empty(); },
+                       [](ShapeId) { return false; }},
+            object.geometry);
+        place(object.transform, geometryOf(object), transmits ? RayMask::Transparent : RayMask::Opaque,
+              {.material = static_cast<std::uint32_t>(object.material),
+               .sceneObject = id,
+               .solid = solid(object),
+               .vertexColors = vertexColors});
+    }
+
+    /// The glowing surface of an area lamp.
+    void addLamp(const Light& light) {
+        const DMat4 yAxisToMinusZ{DVec4(1, 0, 0, 0), DVec4(0, 0, -1, 0), DVec4(0, 1, 0, 0),
+                                  DVec4(0, 0, 0, 1)};
+        if (!light.enabled || light.followsCamera || !invertible(light.transform)) return;
+        const auto lamp = [&](const Shape& shape, const DMat4& transform) {
+            WorldMaterial glowing;
+            glowing.surface.emission = light.color * static_cast<float>(light.intensity);
+            world_.materials.push_back(glowing);
+            place(transform, shape, RayMask::Lamp,
+                  {.material = static_cast<std::uint32_t>(world_.materials.size() - 1)});
+        };
+        std::visit(
+            Overloaded{
+                [&](const RectangleLamp& r) {
+                    lamp(Plane{static_cast<float>(r.width), static_cast<float>(r.height), false},
+                         light.transform * yAxisToMinusZ);
+                },
+                [&](const SphereLamp& s) { lamp(Sphere{static_cast<float>(s.radius)}, light.transform); },
+                [](const auto&) {}},
+            light.shape);
+    }
+
+    std::shared_ptr<const Accel> finish() {
+        auto geometry = indexInstances<Index>(std::move(instances_), stop_);
+        world_.primitives = geometry.primitives;
+        world_.bytes = geometry.bytes;
+        world_.nodes = geometry.nodes;
+        return std::make_shared<const Accel>(std::move(geometry));
+    }
+
+private:
+    using Geometry = decltype(Instance<Index>::geometry);
+    using MeshMap = std::unordered_map<const TriangleMesh*, std::shared_ptr<const IndexedMesh<Index>>>;
+
+    bool solid(const Object& object) const {
+        return std::visit(Overloaded{[](MeshId) { return true; },
+                                     [&](ShapeId shape) { return isSolid(at(scene_.shapes, shape.index)); }},
+                          object.geometry);
+    }
+
+    Geometry geometryOf(const Object& object) {
+        return std::visit(
+            Overloaded{[&](MeshId mesh) -> Geometry { return indexed(at(scene_.meshes, mesh.index)); },
+                       [&](ShapeId shape) -> Geometry { return at(scene_.shapes, shape.index); }},
+            object.geometry);
+    }
+
+    std::shared_ptr<const IndexedMesh<Index>> indexed(const Mesh& mesh) {
+        auto& entry = meshes_[mesh.triangles.get()];
+        if (entry == nullptr) entry = indexMesh<Index>(mesh.triangles, stop_);
+        return entry;
+    }
+
+    void place(const DMat4& transform, Geometry geometry, RayMask mask, const WorldObject& object) {
+        const DMat4 toWorld = relativeTo(world_.origin, transform);
+        instances_.push_back({.objectToWorld = Affine::from(toWorld),
+                              .worldToObject = Affine::from(glm::inverse(toWorld)),
+                              .geometry = std::move(geometry),
+                              .mask = mask});
+        world_.objects.push_back(object);
+    }
+
+    const Scene& scene_;
+    World& world_;
+    std::stop_token stop_;
+    MeshMap meshes_;
+    std::vector<Instance<Index>> instances_;
+};
+
+struct LampEmission {
+    WorldLight::Kind kind;
+    double factor; // from color·intensity to emission
+    double cosInner = 1, cosOuter = 0;
+};
+
+LampEmission emissionOf(const PointLamp&) { return {WorldLight::Kind::Point, 1}; }
+LampEmission emissionOf(const DirectionalLamp&) { return {WorldLight::Kind::Directional, 1}; }
+LampEmission emissionOf(const SpotLamp& s) {
+    return {WorldLight::Kind::Spot, 1, std::cos(s.innerCone), std::cos(s.outerCone)};
+}
+LampEmission emissionOf(const RectangleLamp& r) { return {WorldLight::Kind::Facing, r.width * r.height}; }
+LampEmission emissionOf(const SphereLamp& s) { return {WorldLight::Kind::Point, kPiD * s.radius * s.radius}; }
+
+WorldLight prepared(const Light& light, int id, const DVec3& origin) {
+    const LampEmission lamp = std::visit([](const auto& shape) { return emissionOf(shape); }, light.shape);
+    const DVec3 position = DVec3(light.transform[3]) - (light.followsCamera ? DVec3(0) : origin);
+    const double factor = light.falloff ? lamp.factor : kPiD; // a taught lamp: normal irradiance π·c
+    return {.kind = lamp.kind,
+            .position = position,
+            .direction = safeNormalize(transformVector(light.transform, DVec3(0, 0, -1))),
+            .emission = light.color * static_cast<float>(light.intensity * factor),
+            .falloff = light.falloff,
+            .cosInner = static_cast<float>(lamp.cosInner),
+            .cosOuter = static_cast<float>(lamp.cosOuter),
+            .range = static_cast<float>(light.range),
+            .sceneLight = id,
+            .followsCamera = light.followsCamera};
+}
+
+template <class Index>
+std::shared_ptr<const Accel> index(const Scene& scene, World& world, const World* previous,
+                                   const std::stop_token& stop) {
+    Builder<Index> builder(scene, world, previous, stop);
+    for (std::size_t i = 0; i < scene.objects.size() && !stop.stop_requested(); ++i)
+        builder.add(scene.objects[i], static_cast<int>(i));
+    for (const Light& light : scene.lights) builder.addLamp(light);
+    return builder.finish();
+}
+
+}
+
+std::shared_ptr<const World> buildWorld(std::shared_ptr<const Scene> shared, const BuildSettings& settings,
+                                        const World* previous, const std::stop_token& stop) {
+    const Scene& scene = *shared;
+    auto world = std::make_shared<World>();
+    world->scene = shared;
+    const SceneBounds bounds = boundsOf(scene);
+    world->origin = bounds.empty() ? scene.cameras.front().eye : bounds.center();
+    world->radius = static_cast<float>(bounds.radius());
+    world->needs = analyseNeeds(scene);
+    for (const Material& material : scene.materials) world->materials.push_back(prepared(material));
+    for (std::size_t i = 0; i < scene.lights.size(); ++i)
+        if (scene.lights[i].enabled && scene.lights[i].intensity > 0)
+            world->lights.push_back(prepared(scene.lights[i], static_cast<int>(i), world->origin));
+
+    world->accelKind = settings.accel;
+    if (settings.accel == AccelKind::Auto)
+        world->accelKind = primitivesOf(scene) <= kBruteForceLimit ? AccelKind::Brute : AccelKind::Bvh2;
+    world->accel = world->accelKind == AccelKind::Brute ? index<BruteForce>(scene, *world, previous, stop)
+                                                        : index<Bvh2>(scene, *world, previous, stop);
+    if (stop.stop_requested()) return nullptr;
+    return world;
+}
+
+}

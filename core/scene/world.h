@@ -1,0 +1,84 @@
+#pragma once
+// What tracing needs, prepared from a Scene: immutable and shared, so an edit never races with a ray.
+
+#include <memory>
+#include <optional>
+#include <stop_token>
+#include <vector>
+
+#include "core/geometry/accel.h"
+#include "core/scene/needs.h"
+#include "core/scene/scene.h"
+#include "core/scene/surface.h"
+
+namespace eyeray {
+
+enum class AccelKind : std::uint8_t { Auto, Brute, Bvh2 };
+
+struct BuildSettings {
+    AccelKind accel = AccelKind::Auto; // Auto: brute force up to kBruteForceLimit primitives, else the BVH
+    friend bool operator==(const BuildSettings&, const BuildSettings&) = default;
+};
+
+inline constexpr std::size_t kBruteForceLimit = 4;
+
+/// A material ready for tracing: its surface, and what has to be read anew at each point, if anything.
+struct WorldMaterial {
+    Surface surface;
+    bool varies = false; // read textures: then `model` is evaluated at each hit
+    MaterialModel model;
+};
+
+/// What the tracer must know of an instance of the accelerator.
+struct WorldObject {
+    std::uint32_t material = 0;
+    int sceneObject = -1; // id in Scene::objects; -1: the surface of a lamp
+    bool solid = false;   // has an inside: rays that pass its surface change medium
+    bool vertexColors = false;
+};
+
+/// A lamp as one point, or as a direction.
+struct WorldLight {
+    enum class Kind : std::uint8_t {
+        Point,
+        Directional,
+        Spot,
+        Facing
+    } kind = Kind::Point; // Facing: cosine at the lamp
+    Vec3 position{0};
+    Vec3 direction{0, 0, -1}; // where it shines, unit
+    Color emission{0};        // radiant intensity, or normal irradiance where distance does not count
+    bool falloff = true;      // inverse square
+    float cosInner = 1, cosOuter = 0;
+    float range = kInfinity;
+    int sceneLight = 0;
+    bool followsCamera = false; // position and direction are then in camera axes
+};
+
+struct World {
+    std::shared_ptr<const Scene> scene; // textures are read from here
+    std::shared_ptr<const Accel> accel;
+    DVec3 origin{0};                  // every float of a World is relative to it
+    float radius = 1;                 // of the bounded objects
+    std::vector<WorldObject> objects; // by instance of the accelerator
+    std::vector<WorldMaterial> materials;
+    std::vector<WorldLight> lights;
+    SceneNeeds needs;
+
+    AccelKind accelKind = AccelKind::Bvh2;            // which one Auto has become
+    std::size_t primitives = 0, nodes = 0, bytes = 0; // of the accelerator
+};
+
+/// Prepares a scene for tracing. Indices over meshes that `previous` already has are shared with it. Returns
+/// nothing if `stop` was requested.
+std::shared_ptr<const World> buildWorld(std::shared_ptr<const Scene>, const BuildSettings&,
+                                        const World* previous = nullptr, const std::stop_token& stop = {});
+
+/// The surface of a varying material at a hit: textures and vertex colour read. `uv(set)` gives texture
+/// coordinates.
+template <class Uv>
+Surface surfaceAt(const World&, const WorldMaterial&, const Uv& uv, const Color& vertexColor);
+
+}
+
+#include "core/scene/world_surface.h"

@@ -1,0 +1,48 @@
+#pragma once
+// Materials with textures, read at a point.
+
+#include "core/scene/texture.h"
+#include "core/scene/world.h"
+
+namespace eyeray {
+
+namespace detail {
+
+template <class Uv>
+Color read(const Scene& scene, const TextureRef& ref, const Uv& uv, TextureCoding coding) {
+    if (!ref.used()) return Color(1);
+    const Texture& texture = scene.textures[static_cast<std::size_t>(ref.texture)];
+    return textureValue(scene, texture, ref.transformed(uv(ref.uvSet)), coding);
+}
+
+template <class Uv>
+Surface readSurface(const Scene& scene, const TaughtMaterial& material, const Uv& uv,
+                    const Color& vertexColor) {
+    Surface surface = surfaceOf(material);
+    const Color factor = vertexColor * read(scene, material.diffuseTexture, uv, TextureCoding::Srgb);
+    surface.ambient *= factor;
+    surface.diffuse *= factor;
+    return surface;
+}
+
+template <class Uv>
+Surface readSurface(const Scene& scene, GltfMaterial material, const Uv& uv, const Color& vertexColor) {
+    material.baseColor *= vertexColor * read(scene, material.baseColorTexture, uv, TextureCoding::Srgb);
+    const Color metallicRoughness = read(scene, material.metallicRoughnessTexture, uv, TextureCoding::Linear);
+    material.metallic *= metallicRoughness.b;
+    material.roughness *= metallicRoughness.g;
+    material.emissive *= read(scene, material.emissiveTexture, uv, TextureCoding::Srgb);
+    material.transmission *= read(scene, material.transmissionTexture, uv, TextureCoding::Linear).r;
+    return surfaceOf(material);
+}
+
+}
+
+template <class Uv>
+Surface surfaceAt(const World& world, const WorldMaterial& material, const Uv& uv, const Color& vertexColor) {
+    return std::visit(
+        [&](const auto& model) { return detail::readSurface(*world.scene, model, uv, vertexColor); },
+        material.model);
+}
+
+}

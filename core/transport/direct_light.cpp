@@ -1,0 +1,25 @@
+#include "core/transport/direct_light.h"
+
+#include <algorithm>
+
+namespace eyeray {
+namespace {
+
+float specularLobe(const ShadingPoint& p, const Vec3& wi) {
+    const bool phong = p.surface.specularModel == SpecularModel::Phong;
+    const float cosine =
+        phong ? glm::dot(reflected(wi, p.normal), p.wo) : glm::dot(p.normal, glm::normalize(wi + p.wo));
+    return cosine > 0 ? std::pow(cosine, p.surface.shininess) : 0.0F;
+}
+
+}
+
+Color localModel(const ShadingPoint& p, const Vec3& wi) {
+    const float cosine = glm::dot(p.normal, wi);
+    if (!(cosine > 0) || !(glm::dot(p.geometricNormal, wi) > 0)) return Color(0);
+    Color value = p.surface.diffuse * cosine;
+    if (!isBlack(p.surface.specular)) value += p.surface.specular * specularLobe(p, wi);
+    return value;
+}
+
+}

@@ -1,0 +1,105 @@
+#pragma once
+// Light that reaches a point straight from the lamps: the taught local models, and the shadow rays.
+
+#include "core/transport/lights.h"
+#include "core/transport/optics.h"
+#include "core/transport/ray_counts.h"
+#include "core/transport/recorder.h"
+#include "core/transport/shading_point.h"
+#include "core/transport/trace_context.h"
+
+namespace eyeray {
+
+/// kd (n·l) + ks (r·v)^n or ks (n·h)^n: radiance towards wo for normal irradiance π from the unit direction
+/// wi; black where wi is behind the surface. Phong 1975, "Illumination for Computer Generated Pictures";
+/// Blinn 1977, "Models of Light Reflection for Computer Synthesized Pictures".
+Color localModel(const ShadingPoint&, const Vec3& wi);
+
+/// What one sample of one pixel carries along.
+template <class Index, class Recorder>
+struct SampleState {
+    const TraceContext& context;
+    const IndexedGeometry<Index>& geometry;
+    RayCounts& counts;
+    Recorder& recorder;
+    int treeNodes = 0;
+};
+
+namespace detail {
+
+/// What transparent objects leave of the light along a shadow ray, straight through: kt at each surface,
+/// e^(−σd) between.
+template <Features F, class Index, class Recorder>
+Color filteredStraight(SampleState<Index, Recorder>& state, Ray ray, MediumStack media) {
+    constexpr int kMostSurfaces = 256; // more are taken as opaque
+    const World& world = *state.context.world;
+    Color transmitted(1);
+    for (int i = 0; i < kMostSurfaces; ++i) {
+        const auto hit = closestHit(state.geometry, ray, RayMask::Transparent);
+        const float length = hit ? hit->t : ray.tMax;
+        if (media.top() != MediumStack::kVacuum) {
+            const WorldObject& medium = world.objects[media.top()];
+            transmitted *= transmittanceOf(world.materials[medium.material].surface.attenuation, length);
+        }
+        if (!hit || isBlack(transmitted)) return transmitted;
+        const ShadingPoint p = shadingPointAt<F>(world, state.geometry, ray, *hit);
+        transmitted *= p.surface.transmission;
+        if (p.object->solid) media = p.front ? media.entered(p.instance) : media.left(p.instance);
+        ray.origin = spawnOrigin(p.at, ray.direction);
+        ray.tMax -= length;
+    }
+    return Color(0);
+}
+
+/// Share of a lamp's light that arrives, by the named policy for glass.
+template <Features F, class Index, class Recorder>
+Color visibility(SampleState<Index, Recorder>& state, const Ray& ray, const MediumStack& media) {
+    if constexpr (F.transparent) {
+        const GlassShadows policy = state.context.settings.glassShadows;
+        if (policy == GlassShadows::AllBlock)
+            return Color(anyHit(state.geometry, ray, RayMask::Objects) ? 0.0F : 1.0F);
+        if (anyHit(state.geometry, ray, RayMask::Opaque)) return Color(0);
+        if (policy == GlassShadows::OpaqueOnly) return Color(1);
+        return filteredStraight<F>(state, ray, media);
+    }
+    return Color(anyHit(state.geometry, ray, RayMask::Objects) ? 0.0F : 1.0F);
+}
+
+}
+
+/// Emission, ambient and the lamps' light at a point, with one shadow ray to each lamp that can contribute,
+/// if the settings ask for them. `parent` and `depth` are those of the ray that hit the point.
+template <Features F, class Index, class Recorder>
+Color directLight(SampleState<Index, Recorder>& state, const ShadingPoint& p, const MediumStack& media,
+                  int parent, int depth) {
+    constexpr float kBeforeLamp = 1 - 1e-6F;
+    const TraceContext& context = state.context;
+    Color radiance = p.surface.emission + p.surface.ambient * context.world->scene->ambient;
+    for (const WorldLight& light : context.lights) {
+        const auto sample = sampleLight(light, p.at.position);
+        if (!sample) continue;
+        const Color unblocked = localModel(p, sample->wi) * (sample->irradiance / kPi);
+        if (isBlack(unblocked)) continue;
+        if (!context.settings.shadows) {
+            radiance += unblocked;
+            continue;
+        }
+        ++state.counts[RayKind::Shadow];
+        const Ray ray{spawnOrigin(p.at, sample->wi), sample->wi, 0, sample->distance * kBeforeLamp};
+        const Color arriving = detail::visibility<F>(state, ray, media);
+        radiance += unblocked * arriving;
+        if constexpr (Recorder::kOn)
+            state.recorder.begin({.parent = parent,
+                                  .kind = RayKind::Shadow,
+                                  .depth = depth,
+                                  .origin = ray.origin,
+                                  .direction = ray.direction,
+                                  .t = ray.tMax,
+                                  .light = light.sceneLight,
+                                  .radiance = unblocked * arriving,
+                                  .end = isBlack(arriving) ? RayEnd::Blocked : RayEnd::Unblocked});
+    }
+    return radiance;
+}
+
+}

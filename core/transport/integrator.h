@@ -1,0 +1,51 @@
+#pragma once
+// What every method of image synthesis offers. Each method is one file.
+
+#include <memory>
+
+#include "core/base/math.h"
+#include "core/transport/ray_counts.h"
+#include "core/transport/recorder.h"
+#include "core/transport/trace_context.h"
+
+namespace eyeray {
+
+/// Pixels [x0, x1) × [y0, y1), of which every `step`-th in x and y is traced, starting at the middle of the
+/// first block.
+struct Tile {
+    int x0 = 0, y0 = 0, x1 = 0, y1 = 0;
+    int step = 1;
+};
+
+/// One sample for each traced pixel of a tile, row by row.
+struct TileResult {
+    Tile tile;
+    std::vector<Color> radiance; // an invalid sample is black
+    RayCounts counts;
+    bool complete = false; // false: stop was requested on the way
+};
+
+/// One sample traced with its tree of rays on record.
+struct Retrace {
+    Color radiance{0}; // the very bits that went into the film
+    std::vector<RayRecord> rays;
+};
+
+/// Trees larger than this are cut and counted: glass inside glass at depth 64 would never end.
+inline constexpr int kMaxTreeNodes = 1 << 16;
+
+class Integrator {
+public:
+    virtual ~Integrator() = default;
+
+    /// Traces sample `pass` of a tile's pixels. Thread-safe. Returns early when the context's stop is
+    /// requested.
+    virtual TileResult renderTile(const TraceContext&, const Tile&, int pass) const = 0;
+
+    /// Traces sample `pass` of one pixel again, by the same code.
+    virtual Retrace retrace(const TraceContext&, int x, int y, int pass) const = 0;
+};
+
+std::unique_ptr<Integrator> makeIntegrator(Method);
+
+}

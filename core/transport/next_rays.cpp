@@ -1,0 +1,73 @@
+#include "core/transport/next_rays.h"
+
+#include "core/transport/optics.h"
+
+namespace eyeray {
+namespace {
+
+float iorOf(const World& world, std::uint32_t instance) {
+    if (instance == MediumStack::kVacuum) return 1;
+    return world.materials[world.objects[instance].material].surface.ior;
+}
+
+struct Interface {
+    float eta; // of wo's side / of the other side
+    MediumStack beyond;
+};
+
+Interface interfaceAt(const World& world, const ShadingPoint& p, const MediumStack& media) {
+    if (!p.object->solid) return {iorOf(world, media.top()) / p.surface.ior, media};
+    if (p.front) return {iorOf(world, media.top()) / p.surface.ior, media.entered(p.instance)};
+    const MediumStack beyond = media.left(p.instance);
+    // an eye that stands in an open mesh leaves what it never entered
+    const float inside = media.contains(p.instance) ? iorOf(world, media.top()) : p.surface.ior;
+    return {inside / iorOf(world, beyond.top()), beyond};
+}
+
+Vec3 mirrorDirection(const ShadingPoint& p) {
+    const Vec3 direction = reflected(p.wo, p.normal);
+    return glm::dot(direction, p.geometricNormal) > 0 ? direction : reflected(p.wo, p.geometricNormal);
+}
+
+/// kr at this angle: from normal to grazing incidence as the Fresnel reflectance of the material's η runs
+/// from F0 to 1.
+Color opaqueReflectivity(const Surface& surface, float cosine) {
+    const float root = (surface.ior - 1) / (surface.ior + 1);
+    const float f0 = root * root;
+    const float rise = f0 < 1 ? (fresnelDielectric(cosine, 1 / surface.ior) - f0) / (1 - f0) : 0;
+    return surface.reflectivity +
+           (surface.grazingReflectivity - surface.reflectivity) * std::fmax(rise, 0.0F);
+}
+
+void addGlass(const World& world, const TraceSettings& settings, const ShadingPoint& p,
+              const MediumStack& media, NextRays& next) {
+    const Interface interface = interfaceAt(world, p, media);
+    const float cosine = glm::dot(p.normal, p.wo);
+    std::optional<Vec3> direction = refracted(p.wo, p.normal, interface.eta);
+    if (direction && glm::dot(*direction, p.geometricNormal) >= 0)
+        direction = refracted(p.wo, p.geometricNormal, interface.eta);
+    next.totalReflection = !direction && p.object->solid;
+    float reflectance = next.totalReflection ? 1.0F : 0.0F;
+    if (settings.fresnel == FresnelMode::Exact && !next.totalReflection)
+        reflectance = fresnelDielectric(cosine, interface.eta);
+    next.reflectedShare += p.surface.dielectric * reflectance;
+    if (next.totalReflection) return;
+    next.refraction = p.object->solid ? *direction : -p.wo;
+    next.refractedShare = p.surface.transmission * (1 - reflectance);
+    next.refractedMedia = interface.beyond;
+}
+
+}
+
+NextRays nextRays(const World& world, const TraceSettings& settings, const ShadingPoint& p,
+                  const MediumStack& media) {
+    NextRays next;
+    next.reflectedShare = settings.fresnel == FresnelMode::Exact && p.surface.reflects()
+                              ? opaqueReflectivity(p.surface, glm::dot(p.normal, p.wo))
+                              : p.surface.reflectivity;
+    if (p.surface.transmits()) addGlass(world, settings, p, media, next);
+    if (!isBlack(next.reflectedShare)) next.reflection = mirrorDirection(p);
+    return next;
+}
+
+}

@@ -1,0 +1,24 @@
+#pragma once
+// Where light goes on at a mirror or at glass.
+
+#include <optional>
+
+#include "core/transport/shading_point.h"
+#include "core/transport/trace_context.h"
+
+namespace eyeray {
+
+/// The rays that a hit sends on, with the share of the radiance that each brings.
+struct NextRays {
+    Vec3 reflection{0}, refraction{0}; // unit; valid where the share is not black
+    Color reflectedShare{0}, refractedShare{0};
+    MediumStack refractedMedia;
+    bool totalReflection = false;
+};
+
+/// Mirror and refraction directions and their shares. η is that of the media on both sides, by the side that
+/// was hit; a surface without inside (a plane) is a thin pane that bends nothing. Reflections stay on the
+/// geometric side of wo.
+NextRays nextRays(const World&, const TraceSettings&, const ShadingPoint&, const MediumStack&);
+
+}

@@ -1,0 +1,37 @@
+#pragma once
+// What a person chooses about tracing itself.
+
+#include <array>
+#include <cstdint>
+#include <string_view>
+
+namespace eyeray {
+
+/// local: what a rasteriser knows (no shadows). cast: eye and shadow rays (Appel 1968). whitted: and mirrors
+/// and glass.
+enum class Method : std::uint8_t { Local, Cast, Whitted };
+inline constexpr std::array<std::string_view, 3> kMethodNames = {"local", "cast", "whitted"};
+
+/// Weights at glass: exact Fresnel equations, or the material's kr and kt at every angle.
+enum class FresnelMode : std::uint8_t { Exact, Constant };
+inline constexpr std::array<std::string_view, 2> kFresnelModeNames = {"exact", "constant"};
+
+/// What transparent objects do to shadow rays: nothing; filter them straight through by kt and e^(−σd); block
+/// them.
+enum class GlassShadows : std::uint8_t { OpaqueOnly, Straight, AllBlock };
+inline constexpr std::array<std::string_view, 3> kGlassShadowNames = {"opaque", "straight", "all"};
+
+inline constexpr int kMaxDepth = 64;
+
+struct TraceSettings {
+    Method method = Method::Whitted;
+    int maxDepth = 5;      // the eye ray has depth 0; deeper rays count 0. 0 to kMaxDepth
+    float cutoff = 0.002F; // rays of a smaller weight in every channel are not traced. 0 to 1
+    bool shadows = true, reflections = true, refractions = true;
+    FresnelMode fresnel = FresnelMode::Exact;
+    GlassShadows glassShadows = GlassShadows::Straight;
+
+    friend bool operator==(const TraceSettings&, const TraceSettings&) = default;
+};
+
+}

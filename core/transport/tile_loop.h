@@ -1,0 +1,77 @@
+#pragma once
+// The loop over a tile's pixels that every method shares: it is specialised once per tile, then nothing is
+// virtual.
+
+#include "core/transport/direct_light.h"
+#include "core/transport/integrator.h"
+
+namespace eyeray {
+
+/// An Integrator from a method: a type with
+/// `template <Features F, class Index, class Recorder> static Color radiance(SampleState<Index, Recorder>&,
+/// const Ray& eyeRay)`.
+template <class Method>
+class TiledIntegrator final : public Integrator {
+public:
+    TileResult renderTile(const TraceContext& context, const Tile& tile, int pass) const override {
+        TileResult result{.tile = tile, .radiance = {}, .counts = {}};
+        specialised(context, [&]<Features F>(const auto& geometry) {
+            NoRecorder recorder;
+            const int first = tile.step / 2;
+            for (int y = tile.y0 + first; y < tile.y1 + first; y += tile.step)
+                for (int x = tile.x0 + first; x < tile.x1 + first; x += tile.step) {
+                    if (context.stop.stop_requested()) return;
+                    const int px = std::min(x, tile.x1 - 1), py = std::min(y, tile.y1 - 1);
+                    result.radiance.push_back(
+                        sample<F>(context, geometry, result.counts, recorder, px, py, pass));
+                }
+            result.complete = !context.stop.stop_requested();
+        });
+        return result;
+    }
+
+    Retrace retrace(const TraceContext& context, int x, int y, int pass) const override {
+        Retrace result;
+        specialised(context, [&]<Features F>(const auto& geometry) {
+            TreeRecorder recorder;
+            RayCounts counts;
+            result.radiance = sample<F>(context, geometry, counts, recorder, x, y, pass);
+            result.rays = std::move(recorder.rays);
+        });
+        return result;
+    }
+
+private:
+    template <class Body>
+    static void specialised(const TraceContext& context, const Body& body) {
+        const SceneNeeds& needs = context.world->needs;
+        std::visit(
+            [&](const auto& geometry) {
+                if (needs.textures && needs.refractions)
+                    body.template operator()<Features{.varying = true, .transparent = true}>(geometry);
+                else if (needs.textures)
+                    body.template operator()<Features{.varying = true, .transparent = false}>(geometry);
+                else if (needs.refractions)
+                    body.template operator()<Features{.varying = false, .transparent = true}>(geometry);
+                else
+                    body.template operator()<Features{}>(geometry);
+            },
+            *context.world->accel);
+    }
+
+    template <Features F, class Index, class Recorder>
+    static Color sample(const TraceContext& context, const IndexedGeometry<Index>& geometry,
+                        RayCounts& counts, Recorder& recorder, int x, int y, int pass) {
+        const SampleAddress address{context.seed, static_cast<std::uint32_t>(x),
+                                    static_cast<std::uint32_t>(y), static_cast<std::uint32_t>(pass)};
+        SampleState<Index, Recorder> state{context, geometry, counts, recorder};
+        const Color radiance =
+            Method::template radiance<F>(state, context.eyeRays.through(x, y, pixelSample(address)));
+        counts.truncatedSamples += state.treeNodes > kMaxTreeNodes ? 1 : 0;
+        if (isFinite(radiance)) return radiance;
+        ++counts.invalidSamples;
+        return Color(0);
+    }
+};
+
+}

@@ -1,0 +1,62 @@
+#include "core/transport/trace_context.h"
+
+#include "core/transport/lights.h"
+
+namespace eyeray {
+namespace {
+
+/// Solids around a point, by parity along one ray: of those hit an odd number of times the last to be left is
+/// outermost.
+MediumStack mediaAround(const World& world, const Vec3& point) {
+    constexpr int kMostSurfaces = 256; // beyond it the answer is given up rather than the time
+    if (!world.needs.refractions) return {};
+    std::vector<std::uint32_t> odd; // in order of the last hit
+    Ray ray{point, Vec3(0.4472136F, 0.7745967F, 0.4472136F)};
+    std::visit(
+        [&](const auto& geometry) {
+            for (int i = 0; i < kMostSurfaces; ++i) {
+                const auto hit = closestHit(geometry, ray, RayMask::Transparent);
+                if (!hit) break;
+                if (world.objects[hit->instance].solid && std::erase(odd, hit->instance) == 0)
+                    odd.push_back(hit->instance);
+                ray.origin = spawnOrigin(surfaceAt(geometry, ray, *hit), ray.direction);
+            }
+        },
+        *world.accel);
+    MediumStack media;
+    for (auto instance = odd.rbegin(); instance != odd.rend(); ++instance) media = media.entered(*instance);
+    return media;
+}
+
+TraceSettings withoutNeedless(TraceSettings settings, const SceneNeeds& needs) {
+    settings.shadows &= needs.shadows && settings.method != Method::Local;
+    settings.reflections &= needs.reflections && settings.method == Method::Whitted;
+    settings.refractions &= needs.refractions && settings.method == Method::Whitted;
+    return settings;
+}
+
+}
+
+EyeRays::EyeRays(const Camera& camera, const DVec3& origin, int width, int height)
+    : eye_(camera.eye - origin), width_(static_cast<float>(width)), height_(static_cast<float>(height)) {
+    const CameraAxes axes = axesOf(camera);
+    const DVec2 half = imagePlaneHalfExtents(camera.verticalFov, static_cast<double>(width) / height);
+    right_ = Vec3(axes.right * half.x);
+    up_ = Vec3(axes.up * half.y);
+    forward_ = Vec3(-axes.backward);
+}
+
+Ray EyeRays::through(int x, int y, const Vec2& inPixel) const {
+    const float right = (2 * (static_cast<float>(x) + inPixel.x) - width_) / width_;
+    const float up = (height_ - 2 * (static_cast<float>(y) + inPixel.y)) / height_;
+    return {eye_, glm::normalize(forward_ + right * right_ + up * up_)};
+}
+
+TraceContext::TraceContext(std::shared_ptr<const World> traced, const Camera& camera,
+                           const TraceSettings& asked, int w, int h, std::uint32_t seed_,
+                           std::stop_token stop_)
+    : world(std::move(traced)), settings(withoutNeedless(asked, world->needs)), width(w), height(h),
+      seed(seed_), stop(std::move(stop_)), eyeRays(camera, world->origin, w, h),
+      lights(lightsFor(*world, camera)), eyeMedia(mediaAround(*world, Vec3(camera.eye - world->origin))) {}
+
+}

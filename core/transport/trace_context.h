@@ -1,0 +1,45 @@
+#pragma once
+// All that tracing one picture reads; const while tiles are traced.
+
+#include <cstdint>
+#include <memory>
+#include <stop_token>
+#include <vector>
+
+#include "core/base/sampling.h"
+#include "core/scene/camera.h"
+#include "core/scene/world.h"
+#include "core/transport/medium_stack.h"
+#include "core/transport/settings.h"
+
+namespace eyeray {
+
+/// Rays of a pinhole camera, relative to the World's origin.
+class EyeRays {
+public:
+    EyeRays(const Camera&, const DVec3& origin, int width, int height);
+
+    /// Ray through `inPixel` ∈ [0, 1)² of pixel (x, y); unit direction. The centre of pixel i lies at
+    /// a·tan(fov/2)·(2i + 1 − w)/w, exactly antisymmetric about the middle of the picture.
+    Ray through(int x, int y, const Vec2& inPixel) const;
+
+private:
+    Vec3 eye_, right_, up_, forward_;
+    float width_, height_;
+};
+
+struct TraceContext {
+    TraceContext(std::shared_ptr<const World>, const Camera&, const TraceSettings&, int width, int height,
+                 std::uint32_t seed, std::stop_token);
+
+    std::shared_ptr<const World> world;
+    TraceSettings settings; // kinds that the scene cannot need are off
+    int width, height;
+    std::uint32_t seed;
+    std::stop_token stop;
+    EyeRays eyeRays;
+    std::vector<WorldLight> lights;
+    MediumStack eyeMedia; // what the eye is inside of
+};
+
+}
