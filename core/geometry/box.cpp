@@ -1,5 +1,5 @@
-#include "core/geometry/quadric.h"
 #include "core/geometry/shapes.h"
+#include "core/geometry/solid.h"
 
 namespace eyeray {
 namespace {
@@ -8,19 +8,15 @@ constexpr std::uint32_t face(int axis, bool positive) {
     return 2U * static_cast<std::uint32_t>(axis) + (positive ? 1U : 0U);
 }
 
-struct Passage {
-    Crossing in{-std::numeric_limits<double>::infinity(), 0};
-    Crossing out{std::numeric_limits<double>::infinity(), 0};
-};
-
-// The part of the line inside the three slabs; `in` is behind `out` if there is none.
 Passage passThrough(const Box& box, const Ray& ray) {
     Passage passage;
     for (int axis = 0; axis < 3; ++axis) {
         const double o = ray.origin[axis], d = ray.direction[axis], half = 0.5 * box.size[axis];
-        const bool positive = !std::signbit(d); // ±0 then gives ∓∞ and ±∞ inside the slab
-        // In a face and along it: 0/0 = NaN, which moves neither end.
-        const double in = ((positive ? -half : half) - o) / d, out = ((positive ? half : -half) - o) / d;
+        if (d == 0 && std::fabs(o) <= half) continue;
+        const double lower = (-half - o) / d, upper = (half - o) / d;
+        const bool positive = d > 0;
+        const double in = positive ? lower : upper, out = positive ? upper : lower;
+        if (!(in <= out)) return kNoPassage; // outside and parallel, or not a number
         if (in > passage.in.t) passage.in = {in, face(axis, !positive)};
         if (out < passage.out.t) passage.out = {out, face(axis, positive)};
     }
@@ -29,21 +25,15 @@ Passage passThrough(const Box& box, const Ray& ray) {
 
 }
 
-std::optional<Hit> intersect(const Box& box, const Ray& ray) {
-    const Passage passage = passThrough(box, ray);
-    if (!(passage.in.t <= passage.out.t)) return {};
-    return firstInside(ray, passage.in, passage.out);
-}
+std::optional<Hit> intersect(const Box& box, const Ray& ray) { return firstEnd(passThrough(box, ray), ray); }
 
 SurfacePoint surfaceAt(const Box& box, const Ray& ray, const Hit& hit) {
-    const Passage passage = passThrough(box, ray);
-    const double t = passage.in.face == hit.primitive ? passage.in.t : passage.out.t;
     const DVec3 half = 0.5 * DVec3(box.size);
     const int axis = static_cast<int>(hit.primitive / 2);
     const double side = hit.primitive % 2 == 1 ? 1.0 : -1.0;
     DVec3 normal(0);
     normal[axis] = side;
-    DVec3 position = glm::clamp(DVec3(ray.origin) + t * DVec3(ray.direction), -half, half);
+    DVec3 position = glm::clamp(pointAtHit(passThrough(box, ray), ray, hit), -half, half);
     position[axis] = side * half[axis];
     return surfacePoint(position, normal);
 }

@@ -1,5 +1,5 @@
-#include "core/geometry/quadric.h"
 #include "core/geometry/shapes.h"
+#include "core/geometry/solid.h"
 
 namespace eyeray {
 namespace {
@@ -23,7 +23,8 @@ struct Interval {
 
 constexpr Interval kNone{kInfinityD, -kInfinityD};
 
-// The part of the line inside the cone x² + z² ≤ w², w = middle + slope·y ≥ 0, which has no ends.
+// The part of the line inside the endless cone x² + z² ≤ w², w = middle + slope·y. Beyond its apex lies its
+// mirror image, where w < 0: whatever of that is in the answer is not between the caps.
 Interval insideCone(const Profile& profile, const DVec3& o, const DVec3& d) {
     const double w = profile.middle + profile.slope * o.y, dw = profile.slope * d.y;
     const double a = d.x * d.x + d.z * d.z - dw * dw;
@@ -35,10 +36,9 @@ Interval insideCone(const Profile& profile, const DVec3& o, const DVec3& d) {
     if (a > 0) {
         if (!(discriminant >= 0)) return kNone;
         const Roots roots = quadraticRoots(a, b, c, discriminant);
-        // Both crossings belong to the cone above its apex or both to its mirror image below.
-        return w - b / a * dw >= 0 ? Interval{roots.lower, roots.upper} : kNone;
+        return {roots.lower, roots.upper};
     }
-    // Steeper than the side: inside from one crossing on; the other one is on the mirror image.
+    // Steeper than the side: inside on one side of one crossing; the other one is on the mirror image.
     if (a < 0) {
         const Roots roots = quadraticRoots(a, b, c, std::fmax(0.0, discriminant));
         return dw > 0 ? Interval{roots.upper, kInfinityD} : Interval{-kInfinityD, roots.lower};
@@ -56,11 +56,7 @@ Interval betweenCaps(const Profile& profile, const DVec3& o, const DVec3& d) {
     return std::fabs(o.y) <= profile.half ? Interval{} : kNone;
 }
 
-struct Passage {
-    Crossing in, out;
-};
-
-// The solid is convex, so a line is inside it in one piece and no ray slips through at the rim.
+// Where both pieces overlap: no ray slips through at the rim.
 Passage passThrough(const Cylinder& cylinder, const Ray& ray) {
     const Profile profile(cylinder);
     const DVec3 o(ray.origin), d(ray.direction);
@@ -79,17 +75,12 @@ DVec3 sideNormal(const Profile& profile, const DVec3& p) {
 }
 
 std::optional<Hit> intersect(const Cylinder& cylinder, const Ray& ray) {
-    const Passage passage = passThrough(cylinder, ray);
-    if (!(passage.in.t <= passage.out.t)) return {};
-    return firstInside(ray, passage.in, passage.out);
+    return firstEnd(passThrough(cylinder, ray), ray);
 }
 
 SurfacePoint surfaceAt(const Cylinder& cylinder, const Ray& ray, const Hit& hit) {
     const Profile profile(cylinder);
-    const Passage passage = passThrough(cylinder, ray);
-    const bool entering = static_cast<float>(passage.in.t) == hit.t;
-    const double t = entering ? passage.in.t : passage.out.t;
-    DVec3 p = DVec3(ray.origin) + t * DVec3(ray.direction);
+    DVec3 p = pointAtHit(passThrough(cylinder, ray), ray, hit);
     p.y = std::clamp(p.y, -profile.half, profile.half);
     if (hit.primitive == kTop || hit.primitive == kBottom) {
         const double up = hit.primitive == kTop ? 1.0 : -1.0;

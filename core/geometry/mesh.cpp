@@ -1,7 +1,5 @@
 #include "core/geometry/mesh.h"
 
-#include "core/geometry/quadric.h"
-
 namespace eyeray {
 namespace {
 

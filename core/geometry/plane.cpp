@@ -1,4 +1,3 @@
-#include "core/geometry/quadric.h"
 #include "core/geometry/shapes.h"
 
 namespace eyeray {

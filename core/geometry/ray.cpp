@@ -2,6 +2,11 @@
 
 namespace eyeray {
 
+SurfacePoint surfacePoint(const DVec3& position, const DVec3& unitNormal) {
+    const Vec3 p(position), n(unitNormal);
+    return {.position = p, .error = gammaBound(1) * glm::abs(p), .geometricNormal = n, .shadingNormal = n};
+}
+
 Vec3 spawnOrigin(const SurfacePoint& point, const Vec3& direction) {
     const DVec3 normal(point.geometricNormal);
     const double side = glm::dot(normal, DVec3(direction)) < 0 ? -1.0 : 1.0;

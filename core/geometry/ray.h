@@ -7,7 +7,7 @@
 
 namespace eyeray {
 
-/// Half line origin + t·direction with t in (tMin, tMax). The direction need not be of unit length.
+/// Half line origin + t·direction with t in (tMin, tMax), 0 ≤ tMin. The direction need not be of unit length.
 struct Ray {
     Vec3 origin{0};
     Vec3 direction{0, 0, -1};
@@ -32,6 +32,9 @@ struct SurfacePoint {
         0}; // unit, the surface's own side: outward for solids, counter-clockwise for triangles
     Vec3 shadingNormal{0}; // unit, interpolated where a mesh has normals; else the geometric one
 };
+
+/// The surface at a point known in double: all the error is that of rounding to float.
+SurfacePoint surfacePoint(const DVec3& position, const DVec3& unitNormal);
 
 /// Origin of a ray that leaves `point` along `direction` and cannot meet the same surface again through
 /// rounding. Moves along the geometric normal by the error bound, then to the next float outward. Pharr,
