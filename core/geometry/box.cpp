@@ -12,11 +12,14 @@ Passage passThrough(const Box& box, const Ray& ray) {
     Passage passage;
     for (int axis = 0; axis < 3; ++axis) {
         const double o = ray.origin[axis], d = ray.direction[axis], half = 0.5 * box.size[axis];
-        if (d == 0 && std::fabs(o) <= half) continue;
+        if (d == 0) {
+            if (std::fabs(o) <= half) continue;
+            return kNoPassage;
+        }
         const double lower = (-half - o) / d, upper = (half - o) / d;
         const bool positive = d > 0;
         const double in = positive ? lower : upper, out = positive ? upper : lower;
-        if (!(in <= out)) return kNoPassage; // outside and parallel, or not a number
+        if (!(in <= out)) return kNoPassage; // not a number
         if (in > passage.in.t) passage.in = {in, face(axis, !positive)};
         if (out < passage.out.t) passage.out = {out, face(axis, positive)};
     }
