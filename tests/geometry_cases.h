@@ -19,6 +19,10 @@ public:
         return lo + (hi - lo) * (static_cast<double>(engine_()) * 0x1p-32);
     }
     int below(int end) { return static_cast<int>(uniform(0, end)); }
+    template <class T>
+    const T& oneOf(const std::vector<T>& values) {
+        return values[static_cast<std::size_t>(below(static_cast<int>(values.size())))];
+    }
     DVec3 inCube(double half) {
         const double x = uniform(-half, half), y = uniform(-half, half);
         return {x, y, uniform(-half, half)};
