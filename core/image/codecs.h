@@ -6,10 +6,18 @@
 #include <string>
 #include <vector>
 
+#include "core/image/decode.h"
 #include "core/image/encode.h"
 #include "core/image/pixels.h"
 
 namespace eyeray {
+
+/// Throws InputError when the limits in decode.h are passed.
+void checkPictureSize(long long width, long long height, const std::string& where);
+
+/// What decodeImage promises, for one format each. ITU-T T.81 (1992) through libjpeg-turbo.
+DecodedImage decodePng(std::span<const std::byte> bytes, const std::string& where);
+DecodedImage decodeJpeg(std::span<const std::byte> bytes, const std::string& where);
 
 /// W3C, "Portable Network Graphics (PNG) Specification (Second Edition)", 2003; through libpng.
 std::vector<std::byte> encodePng(const ByteImage& image, const Metadata& metadata);
