@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 
 #include "core/base/errors.h"
+#include "core/image/decode.h"
+#include "core/scene/gltf_accessors.h"
 
 namespace eyeray {
 
@@ -101,9 +103,35 @@ std::optional<int> GltfTextures::imageOf(int index, const std::string& where) {
         throw InputError{where, fmt::format("image {} does not exist", index), "export the file again"};
     if (const auto known = images_.find(index); known != images_.end()) return known->second;
 
-    context_.notes.ignored(context_.document.at("images", static_cast<std::size_t>(index)) +
-                           ": is not shown");
-    return images_[index];
+    auto& result = images_[index];
+    context_.poll();
+    try {
+        Image image = decode(index, context_.document.at("images", static_cast<std::size_t>(index)));
+        decodedBytes_ += image.pixels->values().size() * sizeof(Rgba8);
+        result = static_cast<int>(context_.scene.images.size());
+        context_.scene.images.push_back(std::move(image));
+    } catch (const InputError& error) {
+        context_.notes.repaired(fmt::format("{}; the surface shows without it", error.what()));
+    }
+    return result;
+}
+
+Image GltfTextures::decode(int index, const std::string& where) const {
+    const GltfImageSource& source = context_.document.images[index];
+    std::vector<std::byte> bytes;
+    if (source.uri.empty()) {
+        const auto view = viewBytes(context_.document, source.bufferView, where);
+        bytes.assign(view.begin(), view.end());
+    } else {
+        bytes = context_.files.read(source.uri, limits::kFileBytes, where);
+    }
+    DecodedImage decoded = decodeImage(bytes, where);
+    if (decoded.pixels.values().size() * sizeof(Rgba8) > limits::kImageBytes - decodedBytes_)
+        throw InputError{where, fmt::format("the images take more than {} MB", limits::kImageBytes >> 20U),
+                         "use smaller images"};
+    return {nameOr(source.name, fmt::format("image {}", index)),
+            std::make_shared<const ByteImage>(std::move(decoded.pixels)),
+            std::make_shared<const std::vector<std::byte>>(std::move(bytes))};
 }
 
 }

@@ -28,10 +28,12 @@ private:
     TextureRef placed(int texture, int uvSet, GltfFields transform);
     int textureOf(int index, const std::string& where);
     std::optional<int> imageOf(int index, const std::string& where);
+    Image decode(int index, const std::string& where) const;
 
     GltfImport& context_;
     std::map<int, int> textures_;              // of the file to Scene's, −1 if it cannot be shown
     std::map<int, std::optional<int>> images_; // likewise
+    std::size_t decodedBytes_ = 0;
 };
 
 }
