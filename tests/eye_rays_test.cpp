@@ -1,0 +1,109 @@
+// labels: unit
+// Eye rays: the lectures' image plane, exact symmetry, and the silhouettes of balls (stability 2.8).
+
+#include <gtest/gtest.h>
+
+#include "core/transport/trace_context.h"
+
+namespace eyeray {
+namespace {
+
+Camera cameraOfFov(double degrees) {
+    Camera camera;
+    camera.verticalFov = radians(degrees);
+    return camera;
+}
+
+/// Where the ray meets the image plane z = −1.
+Vec2 onImagePlane(const Ray& ray) { return Vec2(ray.direction) / -ray.direction.z; }
+
+TEST(EyeRays, CornersAreThoseOfTheLecture) {
+    const EyeRays rays(cameraOfFov(60), DVec3(0), 640, 480);
+    const Vec2 topLeft = onImagePlane(rays.through(0, 0, Vec2(0)));
+    const Vec2 bottomRight = onImagePlane(rays.through(639, 479, Vec2(1)));
+    EXPECT_NEAR(topLeft.x, -0.769800359, 1e-6);
+    EXPECT_NEAR(topLeft.y, 0.577350269, 1e-6);
+    EXPECT_NEAR(bottomRight.x, 0.769800359, 1e-6);
+    EXPECT_NEAR(bottomRight.y, -0.577350269, 1e-6);
+}
+
+TEST(EyeRays, PixelCentresFollowTheFormula) {
+    constexpr int kWidth = 37, kHeight = 23;
+    const EyeRays rays(cameraOfFov(50), DVec3(0), kWidth, kHeight);
+    const double tangent = std::tan(radians(25));
+    for (int y = 0; y < kHeight; ++y)
+        for (int x = 0; x < kWidth; ++x) {
+            const Ray ray = rays.through(x, y, Vec2(0.5F));
+            const Vec2 p = onImagePlane(ray);
+            EXPECT_NEAR(p.x, tangent * (2.0 * x + 1 - kWidth) / kHeight, 1e-6);
+            EXPECT_NEAR(p.y, tangent * (kHeight - 1 - 2.0 * y) / kHeight, 1e-6);
+            EXPECT_NEAR(glm::length(ray.direction), 1, 1e-6);
+        }
+}
+
+TEST(EyeRays, MirroredPixelsHaveMirroredRaysBitForBit) {
+    for (const auto& [width, height] : {std::pair{640, 480}, {641, 479}, {3, 1000}}) {
+        const EyeRays rays(cameraOfFov(60), DVec3(0), width, height);
+        for (int y = 0; y < height; y += 7)
+            for (int x = 0; x < width; ++x) {
+                const Vec3 d = rays.through(x, y, Vec2(0.5F)).direction;
+                const Vec3 across = rays.through(width - 1 - x, y, Vec2(0.5F)).direction;
+                const Vec3 below = rays.through(x, height - 1 - y, Vec2(0.5F)).direction;
+                ASSERT_EQ(across, Vec3(-d.x, d.y, d.z));
+                ASSERT_EQ(below, Vec3(d.x, -d.y, d.z));
+            }
+    }
+}
+
+TEST(EyeRays, FollowTheCamera) {
+    Camera camera = cameraOfFov(90);
+    camera.eye = DVec3(10, 5, 3);
+    camera.target = DVec3(14, 5, 3); // along +x, so +z is right
+    const DVec3 origin(10, 0, 0);
+    const EyeRays rays(camera, origin, 100, 100);
+    const Ray centre = rays.through(50, 50, Vec2(0)), topLeft = rays.through(0, 0, Vec2(0));
+    EXPECT_EQ(centre.origin, Vec3(0, 5, 3)) << "relative to the World's origin";
+    EXPECT_NEAR(glm::length(centre.direction - Vec3(1, 0, 0)), 0, 1e-6);
+    EXPECT_NEAR(glm::length(topLeft.direction * std::sqrt(3.0F) - Vec3(1, 1, -1)), 0, 1e-6);
+}
+
+/// Area in pixels of a unit sphere's silhouette at 512² and fov 45°, by 4 × 4 rays a pixel, and its extent in
+/// x.
+struct Silhouette {
+    double area = 0, left = 1e9, right = -1e9;
+};
+Silhouette silhouetteOf(const Vec3& center) {
+    constexpr int kSide = 512, kGrid = 4;
+    const EyeRays rays(cameraOfFov(45), DVec3(0), kSide, kSide);
+    Silhouette result;
+    for (int y = 0; y < kSide * kGrid; ++y)
+        for (int x = 0; x < kSide * kGrid; ++x) {
+            const Vec2 inPixel = (Vec2(x % kGrid, y % kGrid) + 0.5F) / static_cast<float>(kGrid);
+            Ray ray = rays.through(x / kGrid, y / kGrid, inPixel);
+            ray.origin -= center;
+            if (!intersect(Sphere{1}, ray)) continue;
+            result.area += 1.0 / (kGrid * kGrid);
+            const double column = (x + 0.5) / kGrid;
+            result.left = std::fmin(result.left, column);
+            result.right = std::fmax(result.right, column);
+        }
+    return result;
+}
+
+TEST(EyeRays, SilhouetteOfABallHasItsTrueSize) {
+    const Silhouette ball = silhouetteOf({0, 0, -5});
+    EXPECT_NEAR(ball.area, 49'999.9917, 10);
+    EXPECT_NEAR((ball.right - ball.left) / 2, 126.156616, 0.25);
+    EXPECT_NEAR((ball.right + ball.left) / 2, 256, 1e-9);
+    EXPECT_NEAR(silhouetteOf({0, 0, -10}).area, 12'121.2101, 5);
+}
+
+TEST(EyeRays, SilhouetteOfABallOffTheAxisIsAnEllipse) {
+    const Silhouette ball = silhouetteOf({1, 0, -6});
+    EXPECT_NEAR(ball.area, 34'772.055, 10);
+    EXPECT_NEAR((ball.right - ball.left) / 2, 105.949487, 0.25);
+    EXPECT_NEAR((ball.right + ball.left) / 2 - 256, 105.949487, 0.25);
+}
+
+}
+}

@@ -1,0 +1,127 @@
+// labels: unit
+// The addressed sampler: stratification of the (0,2)-sequence, independence of neighbours, range.
+
+#include <gtest/gtest.h>
+
+#include "core/base/sampling.h"
+
+namespace eyeray {
+namespace {
+
+constexpr auto kPurpose = SamplePurpose::PixelFilter;
+
+TEST(ToUnitFloat, IsNeverOne) {
+    EXPECT_EQ(toUnitFloat(0), 0.0F);
+    EXPECT_EQ(toUnitFloat(0x80000000U), 0.5F);
+    EXPECT_EQ(toUnitFloat(0xffffffffU), 1.0F - 0x1p-24F);
+    EXPECT_LT(toUnitFloat(0xffffffffU), 1.0F);
+}
+
+TEST(Sobol2, StaysInTheUnitSquare) {
+    for (std::uint32_t pass = 0; pass < 100'000; ++pass) {
+        const Vec2 p = sobol2({pass % 7, pass * 13, pass * 29, pass}, pass % 5, kPurpose);
+        ASSERT_TRUE(p.x >= 0 && p.x < 1 && p.y >= 0 && p.y < 1) << pass;
+    }
+}
+
+/// Whether 2^k points hit each of the 2^k cells of every way to divide the square into 2^i × 2^(k−i) once.
+bool isNetInBaseTwo(const std::vector<Vec2>& points, int k) {
+    for (int i = 0; i <= k; ++i) {
+        const auto columns = static_cast<float>(1 << i), rows = static_cast<float>(1 << (k - i));
+        std::vector<bool> taken(points.size(), false);
+        for (const Vec2& p : points) {
+            const auto cell =
+                static_cast<std::size_t>(std::floor(p.y * rows) * columns + std::floor(p.x * columns));
+            if (taken[cell]) return false;
+            taken[cell] = true;
+        }
+    }
+    return true;
+}
+
+TEST(Sobol2, EveryAlignedRunOfAPowerOfTwoIsStratifiedInEveryWay) {
+    for (int k = 0; k <= 10; ++k)
+        for (std::uint32_t run = 0; run < 3; ++run)
+            for (std::uint32_t pixel = 0; pixel < 4; ++pixel) {
+                const std::uint32_t first = run << static_cast<std::uint32_t>(k);
+                std::vector<Vec2> points;
+                for (std::uint32_t i = 0; i < 1U << static_cast<std::uint32_t>(k); ++i)
+                    points.push_back(sobol2({pixel, 17 * pixel, 3, first + i}, 0, kPurpose));
+                EXPECT_TRUE(isNetInBaseTwo(points, k)) << "2^" << k << " from " << first;
+            }
+}
+
+/// Pearson's correlation of two equally long series.
+double correlation(const std::vector<double>& a, const std::vector<double>& b) {
+    double sa = 0, sb = 0, saa = 0, sbb = 0, sab = 0;
+    for (std::size_t i = 0; i < a.size(); ++i) {
+        sa += a[i];
+        sb += b[i];
+        saa += a[i] * a[i];
+        sbb += b[i] * b[i];
+        sab += a[i] * b[i];
+    }
+    const auto n = static_cast<double>(a.size());
+    return (n * sab - sa * sb) / std::sqrt((n * saa - sa * sa) * (n * sbb - sb * sb));
+}
+
+/// Correlation of dimension 0 with dimension `other` of the sample whose address `change` makes.
+template <class Change>
+double correlationAcrossPixels(std::uint32_t pass, int other, Change&& change) {
+    std::vector<double> here, there;
+    for (std::uint32_t y = 0; y < 400; ++y)
+        for (std::uint32_t x = 0; x < 400; ++x) {
+            SampleAddress address{1, x, y, pass};
+            here.push_back(sobol2(address, 0, kPurpose).x);
+            change(address);
+            there.push_back(sobol2(address, 0, kPurpose)[other]);
+        }
+    return correlation(here, there);
+}
+
+TEST(Sobol2, NeighbouringPixelsAndSeedsAreUncorrelated) {
+    for (const std::uint32_t pass : {0U, 1U, 2U, 100U})
+        for (const int other : {0, 1}) {
+            const auto across = [&](auto&& change) { return correlationAcrossPixels(pass, other, change); };
+            EXPECT_LT(std::fabs(across([](SampleAddress& a) { ++a.x; })), 0.01) << pass << other;
+            EXPECT_LT(std::fabs(across([](SampleAddress& a) { ++a.y; })), 0.01) << pass << other;
+            EXPECT_LT(std::fabs(across([](SampleAddress& a) {
+                          std::swap(a.x, a.y);
+                          ++a.x;
+                      })),
+                      0.01);
+            EXPECT_LT(std::fabs(across([](SampleAddress& a) { ++a.seed; })), 0.01) << pass << other;
+        }
+}
+
+TEST(Sobol2, NodesOfTheRayTreeAreUncorrelated) {
+    std::vector<double> first, second;
+    for (std::uint32_t x = 0; x < 160'000; ++x) {
+        first.push_back(sobol2({1, x, 0, 0}, 1, kPurpose).x);
+        second.push_back(sobol2({1, x, 0, 0}, 2, kPurpose).x);
+    }
+    EXPECT_LT(std::fabs(correlation(first, second)), 0.01);
+}
+
+TEST(PixelSample, FirstIsTheExactCentre) {
+    for (std::uint32_t x = 0; x < 100; ++x) EXPECT_EQ(pixelSample({x, x, 2 * x, 0}), Vec2(0.5F));
+}
+
+TEST(PixelSample, LaterOnesAverageToTheCentreWithTheVarianceOfABox) {
+    constexpr int kPasses = 4096;
+    for (std::uint32_t x = 0; x < 8; ++x) {
+        DVec2 sum(0), squares(0);
+        for (std::uint32_t pass = 1; pass <= kPasses; ++pass) {
+            const DVec2 p(pixelSample({0, x, 5, pass}));
+            sum += p;
+            squares += (p - 0.5) * (p - 0.5);
+        }
+        EXPECT_NEAR(sum.x / kPasses, 0.5, 5e-4);
+        EXPECT_NEAR(sum.y / kPasses, 0.5, 5e-4);
+        EXPECT_NEAR(squares.x / kPasses, 1.0 / 12, 2e-4);
+        EXPECT_NEAR(squares.y / kPasses, 1.0 / 12, 2e-4);
+    }
+}
+
+}
+}
