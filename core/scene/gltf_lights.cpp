@@ -80,6 +80,7 @@ std::optional<Light> importAreaLamp(GltfFields& nodeExtras) {
         fields.refuse("type is neither rectangle nor sphere");
     light.color = fields.color("color", light.color);
     light.intensity = fields.number("intensity", light.intensity, kNotNegative);
+    if (fields.has("range")) light.range = fields.number("range", 0, kPositive);
     light.falloff = fields.flag("falloff", true);
     light.enabled = fields.flag("enabled", true);
     light.followsCamera = fields.flag("followsCamera", false);
