@@ -1,28 +1,29 @@
 #include "core/scene/needs.h"
 
 #include <algorithm>
-#include <type_traits>
+
+#include "core/scene/surface.h"
 
 namespace eyeray {
 namespace {
 
-struct MaterialNeeds {
-    bool reflects, transmits, textured;
-};
-
-MaterialNeeds needsOf(const TaughtMaterial& m) {
-    return {!isBlack(m.reflectivity) || !isBlack(m.transmission), !isBlack(m.transmission),
-            m.diffuseTexture.used()};
+MaterialNeeds needsOfModel(const TaughtMaterial& m) {
+    const Surface surface = surfaceOf(m);
+    return {.reflects = surface.reflects() || surface.transmits(),
+            .transmits = surface.transmits(),
+            .textured = m.diffuseTexture.used()};
 }
 
-MaterialNeeds needsOf(const GltfMaterial& m) {
-    const TaughtMaterial taught = asTaught(m);
-    const bool textured = m.baseColorTexture.used() || m.metallicRoughnessTexture.used() ||
-                          m.emissiveTexture.used() || m.transmissionTexture.used();
-    // a texture only multiplies its factor, so a factor of 0 stays 0; roughness may become 0 anywhere under a
-    // texture
-    const bool mirrors = m.metallicRoughnessTexture.used() || !isBlack(taught.reflectivity);
-    return {mirrors || m.transmission > 0, m.transmission > 0, textured};
+// A texture only multiplies its factor, so a factor of 0 stays 0; but less metal or roughness is more glass
+// or gloss.
+MaterialNeeds needsOfModel(const GltfMaterial& m) {
+    const Surface surface = surfaceOf(m);
+    const bool variesInGloss = m.metallicRoughnessTexture.used();
+    const bool transmits = surface.transmits() || (variesInGloss && m.transmission > 0);
+    return {.reflects = surface.reflects() || transmits || variesInGloss,
+            .transmits = transmits,
+            .textured = m.baseColorTexture.used() || variesInGloss || m.emissiveTexture.used() ||
+                        m.transmissionTexture.used()};
 }
 
 bool hasVertexColors(const Scene& scene, const Object& object) {
@@ -32,14 +33,17 @@ bool hasVertexColors(const Scene& scene, const Object& object) {
 
 }
 
+MaterialNeeds needsOf(const MaterialModel& model) {
+    return std::visit([](const auto& m) { return needsOfModel(m); }, model);
+}
+
 SceneNeeds analyseNeeds(const Scene& scene) {
     SceneNeeds needs;
     bool anyObject = false;
     for (const Object& object : scene.objects) {
         if (!object.visible) continue;
         anyObject = true;
-        const auto& model = scene.materials[static_cast<std::size_t>(object.material)].model;
-        const MaterialNeeds m = std::visit([](const auto& material) { return needsOf(material); }, model);
+        const MaterialNeeds m = needsOf(scene.materials[static_cast<std::size_t>(object.material)].model);
         needs.reflections |= m.reflects;
         needs.refractions |= m.transmits;
         needs.textures |= m.textured || hasVertexColors(scene, object);

@@ -20,4 +20,12 @@ struct SceneNeeds {
 
 SceneNeeds analyseNeeds(const Scene&);
 
+/// What a material can do at some point of it, whatever its textures hold.
+struct MaterialNeeds {
+    bool reflects = false, transmits = false; // transmission brings a reflection of its own
+    bool textured = false;
+};
+
+MaterialNeeds needsOf(const MaterialModel&);
+
 }

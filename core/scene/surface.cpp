@@ -21,7 +21,8 @@ Surface surfaceOf(const GltfMaterial& m) {
     Surface surface = surfaceOf(asTaught(m));
     const float smoothness = (1 - m.roughness) * (1 - m.roughness);
     surface.dielectric = (1 - m.metallic) * m.transmission;
-    surface.grazingReflectivity = Color(smoothness * (1 - surface.dielectric));
+    const float grazing = m.metallic + (1 - m.metallic) * m.specular;
+    surface.grazingReflectivity = Color(smoothness * grazing * (1 - surface.dielectric));
     return surface;
 }
 

@@ -24,7 +24,7 @@ struct Surface {
 };
 
 /// Taught weights stay as they are at every angle; those of glTF rise towards (1 − roughness)² at grazing
-/// incidence.
+/// incidence, times `specular` where it is no metal, as KHR_materials_specular says.
 Surface surfaceOf(const TaughtMaterial&);
 Surface surfaceOf(const GltfMaterial&);
 

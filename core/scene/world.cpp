@@ -27,18 +27,12 @@ std::size_t primitivesOf(const Scene& scene) {
     return count;
 }
 
-bool usesTextures(const TaughtMaterial& m) { return m.diffuseTexture.used(); }
-bool usesTextures(const GltfMaterial& m) {
-    return m.baseColorTexture.used() || m.metallicRoughnessTexture.used() || m.emissiveTexture.used() ||
-           m.transmissionTexture.used();
-}
-
 WorldMaterial prepared(const Material& material) {
-    return std::visit(
-        [](const auto& model) {
-            return WorldMaterial{.surface = surfaceOf(model), .varies = usesTextures(model), .model = model};
-        },
-        material.model);
+    const MaterialNeeds needs = needsOf(material.model);
+    return {.surface = std::visit([](const auto& model) { return surfaceOf(model); }, material.model),
+            .varies = needs.textured,
+            .transmits = needs.transmits,
+            .model = material.model};
 }
 
 DMat4 relativeTo(const DVec3& origin, DMat4 transform) {
@@ -68,12 +62,12 @@ public:
     void add(const Object& object, int id) {
         if (!object.visible || !invertible(object.transform)) return;
         const WorldMaterial& material = at(world_.materials, object.material);
-        const bool transmits = material.surface.transmits();
         const bool vertexColors = std::visit(
             Overloaded{[&](MeshId mesh) { return !at(scene_.meshes, mesh.index).triangles->colors.empty(); },
                        [](ShapeId) { return false; }},
             object.geometry);
-        place(object.transform, geometryOf(object), transmits ? RayMask::Transparent : RayMask::Opaque,
+        place(object.transform, geometryOf(object),
+              material.transmits ? RayMask::Transparent : RayMask::Opaque,
               {.material = static_cast<std::uint32_t>(object.material),
                .sceneObject = id,
                .solid = solid(object),

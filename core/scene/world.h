@@ -25,7 +25,8 @@ inline constexpr std::size_t kBruteForceLimit = 4;
 /// A material ready for tracing: its surface, and what has to be read anew at each point, if anything.
 struct WorldMaterial {
     Surface surface;
-    bool varies = false; // read textures: then `model` is evaluated at each hit
+    bool varies = false;    // read textures: then `model` is evaluated at each hit
+    bool transmits = false; // anywhere
     MaterialModel model;
 };
 
