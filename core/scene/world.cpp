@@ -150,16 +150,23 @@ struct LampEmission {
     double cosInner = 1, cosOuter = 0;
 };
 
-LampEmission emissionOf(const PointLamp&) { return {WorldLight::Kind::Point, 1}; }
-LampEmission emissionOf(const DirectionalLamp&) { return {WorldLight::Kind::Directional, 1}; }
-LampEmission emissionOf(const SpotLamp& s) {
+// The surface of an area lamp, and so its power, grows with its node: `map` is that node's.
+LampEmission emissionOf(const PointLamp&, const DMat3&) { return {WorldLight::Kind::Point, 1}; }
+LampEmission emissionOf(const DirectionalLamp&, const DMat3&) { return {WorldLight::Kind::Directional, 1}; }
+LampEmission emissionOf(const SpotLamp& s, const DMat3&) {
     return {WorldLight::Kind::Spot, 1, std::cos(s.innerCone), std::cos(s.outerCone)};
 }
-LampEmission emissionOf(const RectangleLamp& r) { return {WorldLight::Kind::Facing, r.width * r.height}; }
-LampEmission emissionOf(const SphereLamp& s) { return {WorldLight::Kind::Point, kPiD * s.radius * s.radius}; }
+LampEmission emissionOf(const RectangleLamp& r, const DMat3& map) {
+    return {WorldLight::Kind::Facing, r.width * r.height * glm::length(glm::cross(map[0], map[1]))};
+}
+LampEmission emissionOf(const SphereLamp& s, const DMat3& map) {
+    const double scale = std::cbrt(std::fabs(glm::determinant(map)));
+    return {WorldLight::Kind::Point, kPiD * s.radius * s.radius * scale * scale};
+}
 
 WorldLight prepared(const Light& light, int id, const DVec3& origin) {
-    const LampEmission lamp = std::visit([](const auto& shape) { return emissionOf(shape); }, light.shape);
+    const LampEmission lamp =
+        std::visit([&](const auto& shape) { return emissionOf(shape, DMat3(light.transform)); }, light.shape);
     const DVec3 position = DVec3(light.transform[3]) - (light.followsCamera ? DVec3(0) : origin);
     const double factor = light.falloff ? lamp.factor : kPiD; // a taught lamp: normal irradiance π·c
     return {.kind = lamp.kind,
