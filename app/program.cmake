@@ -12,8 +12,9 @@ eyeray_compile_options(eyeray_app)
 
 add_executable(eyeray app/main.cpp)
 target_link_libraries(eyeray PRIVATE eyeray_app)
+file(RELATIVE_PATH EYERAY_ASSETS_FROM_BIN ${CMAKE_INSTALL_FULL_BINDIR} ${CMAKE_INSTALL_FULL_DATADIR}/eyeray)
 target_compile_definitions(eyeray_app PRIVATE
-  EYERAY_BUILD_ASSETS="${CMAKE_CURRENT_SOURCE_DIR}/assets" EYERAY_INSTALLED_ASSETS="../${CMAKE_INSTALL_DATADIR}/eyeray"
+  EYERAY_BUILD_ASSETS="${CMAKE_CURRENT_SOURCE_DIR}/assets" EYERAY_INSTALLED_ASSETS="${EYERAY_ASSETS_FROM_BIN}"
   EYERAY_VERSION="${PROJECT_VERSION}")
 eyeray_compile_options(eyeray)
 install(TARGETS eyeray)
