@@ -231,6 +231,12 @@ TEST(DecodeJpeg, PrintingColorsAreRefusedByName) {
     }
 }
 
+TEST(DecodeJpeg, ArithmeticCodingIsRefusedByName) {
+    const Bytes jpeg = makeJpeg(8, 8, 1, JCS_GRAYSCALE, smoothSamples(8, 8, 1),
+                                [](j_compress_ptr encoder) { encoder->arith_code = TRUE; });
+    EXPECT_NE(errorOf(jpeg).find("arithmetic coding"), std::string::npos);
+}
+
 TEST(DecodeJpeg, StrayBytesBetweenSegmentsDoNoHarm) {
     Bytes jpeg = makeJpeg(30, 20, 3, JCS_RGB, smoothSamples(30, 20, 3));
     jpeg.insert(jpeg.end() - 2, 5, std::byte{0x55});
@@ -330,28 +336,58 @@ TEST(PngText, OldTextChunksAreLatin1AndTheFirstOfAKeyCounts) {
     EXPECT_EQ(readPngText(png, "p"), (std::map<std::string, std::string>{{"Author", "Jürgen"}}));
 }
 
-TEST(PngText, BombsOfTextGiveNothingAndHarmNoPicture) {
-    const std::string zeros(8'000'000, ' ');
-    const auto bomb = [&](png_structp png, png_infop info) {
+void expectTextRefusedAndPictureRead(const Bytes& png, const std::string& reason) {
+    EXPECT_EQ(decodeImage(png, "p").pixels.at(0, 0), (Rgba8{9, 9, 9, 255}));
+    try {
+        readPngText(png, "p");
+        ADD_FAILURE() << "it was read";
+    } catch (const InputError& error) {
+        EXPECT_NE(std::string(error.what()).find(reason), std::string::npos) << error.what();
+    }
+}
+
+TEST(PngText, BombsOfTextAreRefusedAndHarmNoPicture) {
+    const Bytes small = encodeDisplayed(ByteImage(1, 1, {9, 9, 9, 255}), ImageFormat::Png, {});
+    const auto compressed = [](png_structp png, png_infop info) {
+        const std::string blanks(8'000'000, ' ');
         png_text text{};
         text.compression = PNG_ITXT_COMPRESSION_zTXt;
         text.key = const_cast<char*>("bomb");
-        text.text = const_cast<char*>(zeros.c_str());
+        text.text = const_cast<char*>(blanks.c_str());
         png_set_text(png, info, &text, 1);
     };
-    const Bytes compressed = makePng({1, 1, 8, PNG_COLOR_TYPE_GRAY}, {{9}}, bomb);
-    ASSERT_LT(compressed.size(), 100'000U);
-    EXPECT_TRUE(readPngText(compressed, "p").empty());
-    EXPECT_EQ(decodeImage(compressed, "p").pixels.at(0, 0), (Rgba8{9, 9, 9, 255}));
+    const Bytes bomb = makePng({1, 1, 8, PNG_COLOR_TYPE_GRAY}, {{9}}, compressed);
+    ASSERT_LT(bomb.size(), 100'000U);
+    expectTextRefusedAndPictureRead(bomb, "iTXt");
 
-    Bytes many = encodeDisplayed(gradient(1, 1, true), ImageFormat::Png, {});
-    Bytes chunks;
+    Bytes many = small, texts;
     for (int i = 0; i < 20'000; ++i) {
         const Bytes one = chunk("tEXt", "key" + std::to_string(i) + '\0' + "v");
-        chunks.insert(chunks.end(), one.begin(), one.end());
+        texts.insert(texts.end(), one.begin(), one.end());
     }
-    insertAfterHeader(many, chunks);
-    EXPECT_LE(readPngText(many, "p").size(), 100U);
+    insertAfterHeader(many, texts);
+    expectTextRefusedAndPictureRead(many, "no space in chunk cache");
+
+    Bytes large = small;
+    insertAfterHeader(large, chunk("tEXt", std::string("key\0", 4) + std::string(2'000'000, 'x')));
+    expectTextRefusedAndPictureRead(large, "too large");
+}
+
+TEST(PngText, AChunkThatClaimsGigabytesTakesNone) {
+    Bytes png = encodeDisplayed(gradient(1, 1, true), ImageFormat::Png, {{"key", "some text"}});
+    png[kAfterHeader + 13] = std::byte{0x7A}; // the length of iTXt, after sRGB
+    try {
+        readPngText(png, "p");
+        FAIL() << "it was read";
+    } catch (const InputError& error) {
+        EXPECT_NE(std::string(error.what()).find("too large"), std::string::npos) << error.what();
+    }
+}
+
+TEST(PngText, ABrokenColorProfileIsNoObstacle) {
+    Bytes png = encodeDisplayed(gradient(1, 1, true), ImageFormat::Png, {{"key", "some text"}});
+    insertAfterHeader(png, chunk("iCCP", "broken"));
+    EXPECT_EQ(readPngText(png, "p").at("key"), "some text");
 }
 
 TEST(PngText, IsRefusedWhereThePngIsDamagedOrNone) {

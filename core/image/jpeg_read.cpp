@@ -32,6 +32,10 @@ public:
         checkPictureSize(decoder_.image_width, decoder_.image_height, where_);
         if (decoder_.jpeg_color_space == JCS_CMYK || decoder_.jpeg_color_space == JCS_YCCK)
             throw InputError{where_, "is a JPEG in CMYK, the colors of printing", "save it as RGB"};
+        // No browser reads these, and at a cut they go on for as many zeros as the picture is large.
+        if (decoder_.arith_code)
+            throw InputError{where_, "is a JPEG with arithmetic coding",
+                             "save it with Huffman coding or as PNG"};
         DecodedImage image{{static_cast<int>(decoder_.image_width), static_cast<int>(decoder_.image_height)},
                            false};
         check(readRows(image.pixels));

@@ -1,3 +1,4 @@
+#include <array>
 #include <csetjmp>
 #include <cstring>
 #include <new>
@@ -14,7 +15,9 @@ namespace {
 
 constexpr std::size_t kMostDeflateGives = 1032; // bytes out of one byte in: 258 out of 2 bits
 constexpr png_uint_32 kMostTextChunks = 100;
-constexpr png_alloc_size_t kMostUnpackedBytes = 1'000'000; // of a compressed text
+constexpr png_alloc_size_t kMostTextBytes = 1'000'000;
+constexpr std::array<png_byte, 15> kTextChunks{'t', 'E', 'X', 't', 0,   'z', 'T', 'X',
+                                               't', 0,   'i', 'T', 'X', 't', 0};
 
 /// libpng over bytes in memory. The functions with setjmp own nothing, for a longjmp ends them.
 class PngReader {
@@ -61,8 +64,13 @@ public:
 
     std::span<const png_text> readTexts() {
         png_set_user_limits(png_, PNG_UINT_31_MAX, PNG_UINT_31_MAX);
-        png_set_chunk_malloc_max(png_, kMostUnpackedBytes);
+        png_set_chunk_malloc_max(png_, kMostTextBytes);
         png_set_chunk_cache_max(png_, kMostTextChunks);
+        // Unless told to give up, libpng mentions a chunk over the limit and takes memory for all it claims
+        // to hold.
+        png_set_benign_errors(png_, 0);
+        png_set_keep_unknown_chunks(png_, PNG_HANDLE_CHUNK_NEVER, nullptr, -1);
+        png_set_keep_unknown_chunks(png_, PNG_HANDLE_CHUNK_AS_DEFAULT, kTextChunks.data(), 3);
         check(readHeader());
         png_textp texts = nullptr;
         const int count = png_get_text(png_, info_, &texts, nullptr);
