@@ -31,16 +31,16 @@ public:
             throw std::bad_alloc();
         }
         png_set_read_fn(png_, &rest_, onRead);
+        png_set_user_limits(png_, PNG_UINT_31_MAX, PNG_UINT_31_MAX); // our own limits have the better message
+        // Passes over all chunks but those that make pixels.
+        png_set_keep_unknown_chunks(png_, PNG_HANDLE_CHUNK_NEVER, nullptr, -1);
     }
     PngReader(const PngReader&) = delete;
     PngReader& operator=(const PngReader&) = delete;
     ~PngReader() { png_destroy_read_struct(&png_, &info_, nullptr); }
 
     DecodedImage readPicture() {
-        png_set_user_limits(png_, PNG_UINT_31_MAX, PNG_UINT_31_MAX); // ours have the better message
         png_set_chunk_malloc_max(png_, 0);
-        png_set_keep_unknown_chunks(png_, PNG_HANDLE_CHUNK_NEVER, nullptr,
-                                    -1); // all but those that make pixels
         check(readHeader());
         const png_uint_32 width = png_get_image_width(png_, info_),
                           height = png_get_image_height(png_, info_);
@@ -63,13 +63,10 @@ public:
     }
 
     std::span<const png_text> readTexts() {
-        png_set_user_limits(png_, PNG_UINT_31_MAX, PNG_UINT_31_MAX);
         png_set_chunk_malloc_max(png_, kMostTextBytes);
         png_set_chunk_cache_max(png_, kMostTextChunks);
-        // Unless told to give up, libpng mentions a chunk over the limit and takes memory for all it claims
-        // to hold.
+        // Else libpng only warns of a chunk over the limit, and takes memory for all that it claims to hold.
         png_set_benign_errors(png_, 0);
-        png_set_keep_unknown_chunks(png_, PNG_HANDLE_CHUNK_NEVER, nullptr, -1);
         png_set_keep_unknown_chunks(png_, PNG_HANDLE_CHUNK_AS_DEFAULT, kTextChunks.data(), 3);
         check(readHeader());
         png_textp texts = nullptr;
