@@ -1,8 +1,5 @@
 // labels: unit
-#include <filesystem>
 #include <fstream>
-
-#include <unistd.h>
 
 #include <glm/gtc/matrix_transform.hpp>
 #include <gtest/gtest.h>
@@ -13,29 +10,15 @@
 #include "core/scene/gltf.h"
 #include "tests/gltf_builder.h"
 #include "tests/same_scene.h"
+#include "tests/temporary_folder.h"
 
 namespace eyeray {
 namespace {
 
-namespace fs = std::filesystem;
 using test::expectSame;
 
-class Folder {
-public:
-    Folder() : path_(fs::temp_directory_path() / ("eyeray-export-" + std::to_string(::getpid()))) {
-        fs::create_directories(path_);
-    }
-    Folder(const Folder&) = delete;
-    Folder& operator=(const Folder&) = delete;
-    ~Folder() { fs::remove_all(path_); }
-    fs::path operator/(const std::string& name) const { return path_ / name; }
-
-private:
-    fs::path path_;
-};
-
 Scene reread(const Scene& scene, const std::string& name = "scene.glb") {
-    const Folder folder;
+    const TemporaryFolder folder;
     exportGltf(scene, folder / name);
     ImportReport report;
     Scene result = importGltf(folder / name, report);
@@ -230,7 +213,7 @@ TEST(GltfExport, WritesWhatOtherProgramsCanShowInsteadOfTaughtMaterials) {
     mirror.diffuse = Color(0);
     mirror.reflectivity = Color(0.5F);
     scene.materials = {{"mirror", mirror}};
-    const Folder folder;
+    const TemporaryFolder folder;
     exportGltf(scene, folder / "scene.gltf");
     std::ifstream file(folder / "scene.gltf");
     const auto document = test::json::parse(file);
@@ -242,7 +225,7 @@ TEST(GltfExport, WritesWhatOtherProgramsCanShowInsteadOfTaughtMaterials) {
 }
 
 TEST(GltfExport, RefusesOtherEndingsAndKeepsTheOldFileOnFailure) {
-    const Folder folder;
+    const TemporaryFolder folder;
     EXPECT_THROW(exportGltf(plain(), folder / "scene.obj"), InputError);
     EXPECT_THROW(exportGltf(plain(), folder / "missing/scene.glb"), Failure);
     exportGltf(plain(), folder / "scene.glb");

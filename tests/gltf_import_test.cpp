@@ -1,15 +1,12 @@
 // labels: unit
-// Nodes, lamps, cameras, shapes and what is added; meshes and materials have files of their own.
+// Files, nodes, shapes, and the scene as a whole.
 #include "core/scene/gltf.h"
-
-#include <cstdlib>
-#include <filesystem>
 
 #include <gtest/gtest.h>
 
 #include "core/base/errors.h"
-#include "core/image/atomic_file.h"
 #include "tests/gltf_builder.h"
+#include "tests/temporary_folder.h"
 
 namespace eyeray {
 namespace {
@@ -18,25 +15,6 @@ using test::GltfBuilder;
 using test::import;
 using test::Imported;
 using test::json;
-
-class Folder {
-public:
-    Folder() {
-        std::string name = (std::filesystem::temp_directory_path() / "eyeray-import-XXXXXX").string();
-        path_ = ::mkdtemp(name.data());
-    }
-    Folder(const Folder&) = delete;
-    Folder& operator=(const Folder&) = delete;
-    ~Folder() { std::filesystem::remove_all(path_); }
-
-    std::filesystem::path write(const std::string& name, std::string_view text) const {
-        writeFileAtomically(path_ / name, std::as_bytes(std::span(text)));
-        return path_ / name;
-    }
-
-private:
-    std::filesystem::path path_;
-};
 
 void expectNear(const DVec3& a, const DVec3& b, double tolerance = 1e-12) {
     EXPECT_NEAR(a.x, b.x, tolerance);
@@ -54,29 +32,14 @@ GltfBuilder withShape(const json& shape) {
     return b;
 }
 
-GltfBuilder withLamp(const json& lamp) {
-    GltfBuilder b;
-    b.doc["extensions"]["KHR_lights_punctual"]["lights"] = json::array({lamp});
-    b.root({{"name", "lamp node"}, {"extensions", {{"KHR_lights_punctual", {{"light", 0}}}}}});
-    return b;
-}
-
-GltfBuilder withCamera(json node, const json& perspective = {{"yfov", 0.8}, {"znear", 0.1}}) {
-    GltfBuilder b;
-    b.push("cameras", {{"type", "perspective"}, {"perspective", perspective}});
-    node["camera"] = 0;
-    b.root(node);
-    return b;
-}
-
 TEST(GltfFile, IsTheSameAsTextBinaryAndWithItsBufferBeside) {
     GltfBuilder b;
     b.triangle();
-    const Folder folder;
-    folder.write("the buffer+1.bin", {reinterpret_cast<const char*>(b.buffer.data()), b.buffer.size()});
-    const auto path = folder.write("beside.gltf", b.gltf("the%20buffer+1.bin"));
+    const TemporaryFolder folder;
+    writeText(folder / "the buffer+1.bin", {reinterpret_cast<const char*>(b.buffer.data()), b.buffer.size()});
+    writeText(folder / "beside.gltf", b.gltf("the%20buffer+1.bin"));
     ImportReport report;
-    const Scene beside = importGltf(path, report);
+    const Scene beside = importGltf(folder / "beside.gltf", report);
     EXPECT_EQ(beside.name, "beside");
     for (const Scene& scene : {import(b.gltf()).scene, import(b.glb()).scene, beside}) {
         ASSERT_EQ(scene.objects.size(), 1U);
@@ -230,114 +193,6 @@ TEST(GltfShapes, HideTheMeshThatOtherProgramsShowInstead) {
     EXPECT_TRUE(std::holds_alternative<ShapeId>(scene.objects[0].geometry));
 }
 
-TEST(GltfLamps, ArePhotometricInTheFileAndRadiometricInside) {
-    const Light point =
-        import(withLamp({{"type", "point"}, {"intensity", 683}, {"color", {1, 0.5, 0.25}}, {"range", 7}}))
-            .scene.lights.at(0);
-    EXPECT_TRUE(std::holds_alternative<PointLamp>(point.shape));
-    EXPECT_DOUBLE_EQ(point.intensity, 1);
-    EXPECT_EQ(point.color, Color(1, 0.5, 0.25));
-    EXPECT_EQ(point.range, 7);
-    EXPECT_EQ(point.name, "lamp node");
-    EXPECT_TRUE(point.falloff && point.enabled && !point.followsCamera);
-
-    const Light sun = import(withLamp({{"type", "directional"}})).scene.lights.at(0);
-    EXPECT_TRUE(std::holds_alternative<DirectionalLamp>(sun.shape));
-    EXPECT_DOUBLE_EQ(sun.intensity, 1.0 / 683);
-    EXPECT_EQ(sun.range, std::numeric_limits<double>::infinity());
-}
-
-TEST(GltfLamps, WithoutFalloffHavePlainNumbers) {
-    const Light lamp =
-        import(
-            withLamp({{"type", "point"},
-                      {"intensity", 2},
-                      {"extras", eyeray({{"falloff", false}, {"enabled", false}, {"followsCamera", true}})}}))
-            .scene.lights.at(0);
-    EXPECT_EQ(lamp.intensity, 2);
-    EXPECT_TRUE(!lamp.falloff && !lamp.enabled && lamp.followsCamera);
-}
-
-TEST(GltfLamps, SpotsKeepTheirConesInOrder) {
-    const auto spotOf = [](const json& cones) {
-        return std::get<SpotLamp>(
-            import(withLamp({{"type", "spot"}, {"spot", cones}})).scene.lights.at(0).shape);
-    };
-    EXPECT_DOUBLE_EQ(spotOf({{"innerConeAngle", 0.2}, {"outerConeAngle", 0.6}}).innerCone, 0.2);
-    EXPECT_DOUBLE_EQ(spotOf({{"innerConeAngle", 0.2}, {"outerConeAngle", 0.6}}).outerCone, 0.6);
-    EXPECT_NEAR(spotOf(json::object()).outerCone, kPiD / 4, 1e-9);
-    EXPECT_LT(spotOf({{"innerConeAngle", 1.2}, {"outerConeAngle", 0.6}}).innerCone, 0.6);
-    EXPECT_LE(spotOf({{"outerConeAngle", 9}}).outerCone, kPiD / 2);
-}
-
-TEST(GltfLamps, WithAnAreaStandInExtras) {
-    GltfBuilder b;
-    b.root({{"extras", eyeray({{"lamp",
-                                {{"type", "rectangle"},
-                                 {"width", 2},
-                                 {"height", 3},
-                                 {"color", {1, 2, 3}},
-                                 {"intensity", 5}}}})},
-            {"translation", {0, 4, 0}}});
-    b.root({{"extras", eyeray({{"lamp", {{"type", "sphere"}, {"radius", 0.25}, {"falloff", false}}}})}});
-    const Scene scene = import(b).scene;
-    ASSERT_EQ(scene.lights.size(), 2U);
-    EXPECT_EQ(std::get<RectangleLamp>(scene.lights[0].shape).width, 2);
-    EXPECT_EQ(std::get<RectangleLamp>(scene.lights[0].shape).height, 3);
-    EXPECT_EQ(scene.lights[0].color, Color(1, 2, 3));
-    EXPECT_EQ(scene.lights[0].intensity, 5); // radiance, not candela
-    expectNear(DVec3(scene.lights[0].transform[3]), {0, 4, 0});
-    EXPECT_EQ(std::get<SphereLamp>(scene.lights[1].shape).radius, 0.25);
-    EXPECT_FALSE(scene.lights[1].falloff);
-}
-
-TEST(GltfCameras, LookAlongMinusZOfTheirNode) {
-    const double half = std::sqrt(0.5);
-    const Camera camera = import(withCamera({{"name", "view"},
-                                             {"translation", {1, 2, 3}},
-                                             {"rotation", {0, half, 0, half}}, // 90° about y
-                                             {"extras", eyeray({{"distance", 4}})}},
-                                            {{"yfov", 0.8}, {"znear", 0.1}, {"aspectRatio", 1.5}}))
-                              .scene.cameras.at(0);
-    EXPECT_EQ(camera.name, "view");
-    EXPECT_EQ(camera.verticalFov, 0.8);
-    EXPECT_EQ(camera.aspect, 1.5);
-    expectNear(camera.eye, {1, 2, 3});
-    expectNear(camera.target, {-3, 2, 3});
-    expectNear(camera.up, {0, 1, 0});
-}
-
-TEST(GltfCameras, KeepTheirRoll) {
-    const double half = std::sqrt(0.5);
-    const Camera camera =
-        import(withCamera({{"rotation", {0, 0, half, half}}})).scene.cameras.at(0); // 90° about z
-    expectNear(camera.up, {-1, 0, 0});
-    expectNear(axesOf(camera).right, {0, 1, 0});
-}
-
-TEST(GltfCameras, AimLevelWithTheMiddleOfTheScene) {
-    GltfBuilder b = withCamera({{"translation", {0.5, 0.5, 10}}});
-    b.triangle();
-    expectNear(import(b).scene.cameras.at(0).target, {0.5, 0.5, 0});
-}
-
-TEST(GltfCameras, ThatLookAwayStillHaveATargetAhead) {
-    GltfBuilder b = withCamera({{"translation", {0, 0, -10}}});
-    b.triangle();
-    const Camera camera = import(b).scene.cameras.at(0);
-    EXPECT_LT(camera.target.z, -10.01);
-}
-
-TEST(GltfCameras, WithoutPerspectiveAreReported) {
-    GltfBuilder b;
-    b.push("cameras", {{"type", "orthographic"},
-                       {"orthographic", {{"xmag", 1}, {"ymag", 1}, {"zfar", 10}, {"znear", 0}}}});
-    b.root({{"camera", 0}});
-    const Imported imported = import(b);
-    EXPECT_EQ(imported.ignored("orthographic projection of 1 camera"), 1);
-    EXPECT_EQ(imported.scene.cameras.size(), 1U); // the added one
-}
-
 TEST(GltfScene, SaysItsAmbientItsSkyAndItsSettings) {
     GltfBuilder b;
     b.doc["scenes"][0]["extras"] =
@@ -390,7 +245,8 @@ TEST(GltfDefaults, LightAndFrameAFileThatHasNeither) {
 }
 
 TEST(GltfDefaults, AddNoLightToALampAGlowOrASceneThatIsDarkOnPurpose) {
-    GltfBuilder lamp = withLamp({{"type", "point"}});
+    GltfBuilder lamp;
+    lamp.root({{"extras", eyeray({{"lamp", {{"type", "sphere"}}}})}});
     lamp.triangle();
     GltfBuilder glow;
     glow.push("materials", {{"emissiveFactor", {1, 1, 1}}});

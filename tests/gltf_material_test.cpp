@@ -1,15 +1,12 @@
 // labels: unit
 // Materials, textures and images.
-#include <filesystem>
-
-#include <unistd.h>
-
 #include <gtest/gtest.h>
 
 #include "core/base/errors.h"
 #include "core/image/atomic_file.h"
 #include "core/image/encode.h"
 #include "tests/gltf_builder.h"
+#include "tests/temporary_folder.h"
 
 namespace eyeray {
 namespace {
@@ -169,18 +166,16 @@ TEST(GltfMaterials, SayWhatOfThemIsNotShown) {
 }
 
 TEST(GltfTextures, ComeFromDataUrisBufferViewsAndFiles) {
-    const auto folder =
-        std::filesystem::temp_directory_path() / ("eyeray-texture-" + std::to_string(::getpid()));
+    const TemporaryFolder folder;
     std::filesystem::create_directories(folder / "my images");
     writeFileAtomically(folder / "my images/a.png", png());
 
     GltfBuilder inView = textured(json::object());
     inView.doc["images"][0] = {{"bufferView", inView.view(png())}, {"mimeType", "image/png"}};
     const std::string beside = textured({{"uri", "my%20images/a.png"}}).gltf();
-    writeFileAtomically(folder / "scene.gltf", std::as_bytes(std::span(beside)));
+    writeText(folder / "scene.gltf", beside);
     ImportReport report;
     const Scene fromFile = importGltf(folder / "scene.gltf", report);
-    std::filesystem::remove_all(folder);
 
     for (const Scene& scene :
          {import(textured({{"uri", dataUri(png())}})).scene, import(inView.glb()).scene, fromFile}) {

@@ -28,18 +28,18 @@ constexpr std::array<std::string_view, 10> kExtensions{"KHR_implicit_shapes",
                                                        "KHR_materials_unlit",
                                                        "KHR_materials_volume"};
 
-constexpr std::array<std::string_view, 16> kSections{
+constexpr std::array<std::string_view, 15> kSections{
     "accessors", "animations", "buffers",  "bufferViews",    "cameras",
     "images",    "materials",  "meshes",   "nodes",          "samplers",
-    "scenes",    "skins",      "textures", "extensionsUsed", "extensionsRequired",
-    "scene"};
+    "scenes",    "skins",      "textures", "extensionsUsed", "extensionsRequired"};
 
-/// Members that are an index, a kind, a size, or a list of such, wherever in glTF and the extensions above
-/// they stand. No size in a readable file exceeds 32 bits.
-constexpr std::array<std::string_view, 24> kCardinals{
-    "buffer", "bufferView", "byteLength", "byteOffset", "byteStride", "camera",   "children", "componentType",
-    "count",  "index",      "indices",    "joints",     "light",      "material", "mesh",     "mode",
-    "node",   "nodes",      "sampler",    "scene",      "shape",      "skin",     "source",   "texCoord"};
+/// Members that are an index, a kind or a size, and those that are lists of indices, wherever in glTF and the
+/// extensions above they stand. No size in a readable file exceeds 32 bits.
+constexpr std::array<std::string_view, 20> kCardinals{
+    "buffer", "bufferView", "byteLength", "byteOffset", "byteStride", "camera",  "componentType",
+    "count",  "index",      "indices",    "light",      "material",   "mesh",    "mode",
+    "node",   "sampler",    "shape",      "skin",       "source",     "texCoord"};
+constexpr std::array<std::string_view, 3> kCardinalLists{"children", "joints", "nodes"};
 
 template <std::size_t N>
 bool contains(const std::array<std::string_view, N>& names, std::string_view name) {
@@ -89,7 +89,7 @@ void checkExtensions(const json& document, const std::string& where, GltfNotes& 
 
 void checkSections(const json& document, const std::string& where) {
     for (const auto& [name, section] : document.items()) {
-        if (!contains(kSections, name) || name == "scene") continue;
+        if (!contains(kSections, name)) continue;
         if (!section.is_array()) refuse(where, fmt::format("its {} are not a list", name));
         if (name.starts_with("extensions")) continue;
         for (std::size_t i = 0; i < section.size(); ++i)
@@ -113,10 +113,20 @@ bool fits(const json& number) {
 }
 
 void checkCardinal(const json& value, const std::string& key, const std::string& where) {
-    if (value.is_structured())
-        return; // `indices` of a sparse accessor is an object; lists are looked through
     if (!value.is_number_unsigned() || !fits(value))
         refuse(where, fmt::format("{} is not a whole number from 0 to 2147483647", key));
+}
+
+/// What tinygltf would pass over in silence.
+void checkMember(const json& member, const std::string& name, const std::string& parent,
+                 const std::string& where) {
+    const bool sparse = name == "indices" && parent == "sparse"; // an object there
+    if (contains(kCardinalLists, name)) {
+        if (!member.is_array()) refuse(where, fmt::format("{} is not a list", name));
+        for (const json& element : member) checkCardinal(element, name, where);
+    } else if ((contains(kCardinals, name) && !sparse) || parent == "attributes") {
+        checkCardinal(member, name, where);
+    }
 }
 
 /// Looks through one part of the document. `ours` is false inside extras and extensions that nobody reads,
@@ -125,16 +135,11 @@ void checkValues(json& value, const std::string& key, bool ours, const std::stri
     if (value.is_object()) {
         for (auto& [name, member] : value.items()) {
             const bool foreign = name == "extras" || (key == "extensions" && !contains(kExtensions, name));
-            if (ours && (contains(kCardinals, name) || key == "attributes"))
-                checkCardinal(member, name, where);
+            if (ours) checkMember(member, name, key, where);
             checkValues(member, name, ours && !foreign, where);
         }
     } else if (value.is_array()) {
-        const bool cardinals = ours && contains(kCardinals, key);
-        for (json& element : value) {
-            if (cardinals) checkCardinal(element, key, where);
-            checkValues(element, key, ours, where);
-        }
+        for (json& element : value) checkValues(element, key, ours, where);
     } else if (value.is_number_integer() && !fits(value)) {
         value = value.get<double>();
     }
@@ -160,7 +165,7 @@ void checkDocument(json& document, const std::string& where, GltfNotes& notes) {
     checkSections(document, where);
     for (auto& [name, section] : document.items()) {
         if (!section.is_array()) {
-            if (contains(kCardinals, name)) checkCardinal(section, name, where);
+            if (name == "scene") checkCardinal(section, name, where);
             checkValues(section, name, name != "extras", where);
             continue;
         }
