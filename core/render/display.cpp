@@ -61,14 +61,15 @@ float displaySlope(float luminance, const DisplaySettings& settings) {
 
 double meteredExposure(const ColorImage& radiance) {
     constexpr double kMiddleGrey = 0.18, kSmallest = 1e-4;
-    double sum = 0, brightest = 0;
+    double sum = 0;
+    int lit = 0;
     for (const Color& c : radiance.values()) {
         const double y = luminance(c);
+        if (!(y > 0)) continue;
         sum += std::log2(y + kSmallest);
-        brightest = std::max(brightest, y);
+        ++lit;
     }
-    if (brightest <= 0) return 0;
-    return std::log2(kMiddleGrey) - sum / static_cast<double>(radiance.values().size());
+    return lit > 0 ? std::log2(kMiddleGrey) - sum / lit : 0;
 }
 
 }

@@ -30,8 +30,8 @@ ByteImage display(const ColorImage& radiance, const DisplaySettings&);
 /// Slope of the displayed value (0 to 1) against radiance luminance: how visible an error of the radiance is.
 float displaySlope(float luminance, const DisplaySettings&);
 
-/// Exposure (EV) that brings the log average luminance to 0.18; 0 for a black picture.
-/// Reinhard et al. 2002, eq. 1.
+/// Exposure (EV) that brings the log average luminance to 0.18; 0 for a black picture. Black pixels are left
+/// out: a black background says nothing of the light on the things before it. Reinhard et al. 2002, eq. 1.
 double meteredExposure(const ColorImage& radiance);
 
 }
