@@ -48,6 +48,7 @@ inline bool isBlack(const Color& c) { return c.x == 0 && c.y == 0 && c.z == 0; }
 
 /// Luminance of linear Rec. 709.
 inline float luminance(const Color& c) { return 0.2126F * c.x + 0.7152F * c.y + 0.0722F * c.z; }
+inline double luminance(const DVec3& c) { return 0.2126 * c.x + 0.7152 * c.y + 0.0722 * c.z; }
 
 constexpr double radians(double degrees) { return degrees * (kPiD / 180.0); }
 constexpr double degrees(double radians) { return radians * (180.0 / kPiD); }

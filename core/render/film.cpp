@@ -35,6 +35,7 @@ void Film::reset() {
         state.passes = 0;
         ++state.version;
     }
+    std::fill(shown_.values().begin(), shown_.values().end(), Color(0));
     id_ = nextFilmId();
 }
 
@@ -52,7 +53,7 @@ void Film::add(int tileIndex, const TileResult& result, int pass) {
         for (int x = state.area.x0; x < state.area.x1; ++x) {
             const std::size_t i = index(x, y);
             const Color& sample = result.radiance[next++];
-            const double luma = luminance(sample);
+            const double luma = luminance(DVec3(sample));
             sums_[now][i] = pass == 0 ? DVec3(sample) : sums_[before][i] + DVec3(sample);
             squares_[now][i] = pass == 0 ? luma * luma : squares_[before][i] + luma * luma;
             shown_.at(x, y) = Color(sums_[now][i] / static_cast<double>(pass + 1));
@@ -117,7 +118,7 @@ double Film::estimatedError(int passes, const DisplaySettings& settings) const {
         for (int y = state.area.y0; y < state.area.y1; ++y)
             for (int x = state.area.x0; x < state.area.x1; ++x) {
                 const std::size_t i = index(x, y);
-                const double mean = luminance(Color(sums_[last][i] / n));
+                const double mean = luminance(sums_[last][i] / n);
                 const double variance = std::max(0.0, (squares_[last][i] / n - mean * mean) / (n - 1));
                 if (variance <= 1e-12 * mean * mean) continue;
                 const double slope = displaySlope(static_cast<float>(mean), settings);
