@@ -275,6 +275,7 @@ bool RenderSession::tracePass(Job& job, int pass) {
     const std::scoped_lock lock(mutex_);
     job.status.seconds = before + secondsSince(start);
     if (complete) job.status.samples = job.passes = pass + 1;
+    if (complete && pass == 0) job.status.secondsToFirstPass = secondsSince(job.asked);
     return complete;
 }
 

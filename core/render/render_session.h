@@ -19,14 +19,15 @@ namespace eyeray {
 
 struct RenderStatus {
     enum class Phase : std::uint8_t { Idle, Coarse, Refining, Paused, Finished, Failed } phase = Phase::Idle;
-    int samples = 0;            // whole passes
-    double passProgress = 0;    // of the pass under way, 0 to 1
-    double seconds = 0;         // spent tracing this picture, pauses left out
-    double secondsToCoarse = 0; // from start() to a whole coarse picture; 0 until there is one
-    double estimatedError = -1; // Film::estimatedError when last looked at; −1: not yet
-    RayCounts counts;           // of the passes, the coarse picture left out
-    std::string finishedBy;     // which of the stop conditions ended it: "256 samples"
-    std::string failure;        // one line, when it has failed
+    int samples = 0;               // whole passes
+    double passProgress = 0;       // of the pass under way, 0 to 1
+    double seconds = 0;            // spent tracing this picture, pauses left out
+    double secondsToCoarse = 0;    // from start() to a whole coarse picture; 0 until there is one
+    double secondsToFirstPass = 0; // from start() to one sample in every pixel
+    double estimatedError = -1;    // Film::estimatedError when last looked at; −1: not yet
+    RayCounts counts;              // of the passes, the coarse picture left out
+    std::string finishedBy;        // which of the stop conditions ended it: "256 samples"
+    std::string failure;           // one line, when it has failed
     int threads = 1;
 
     bool active() const { return phase == Phase::Coarse || phase == Phase::Refining; }

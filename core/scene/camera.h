@@ -16,6 +16,7 @@ struct Camera {
     double aspect = 0;                                 // width / height that its file asks for; 0: any
 
     double distance() const { return glm::length(target - eye); }
+    friend bool operator==(const Camera&, const Camera&) = default;
 };
 
 /// Right-handed camera axes: right, up and backward (the camera looks along −backward); always orthonormal,
