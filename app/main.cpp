@@ -1,1 +1,33 @@
-int main() {}
+#include <fmt/format.h>
+
+#include <exception>
+#include <variant>
+
+#include "app/cli/run.h"
+#include "core/base/errors.h"
+
+namespace {
+
+constexpr int kCannot = 1, kWrongRequest = 2;
+
+int complain(const std::exception& error, int code) {
+    fmt::print(stderr, "eyeray: {}\n", error.what());
+    return code;
+}
+
+}
+
+int main(int argc, char** argv) {
+    try {
+        const auto parsed = eyeray::parseCommandLine(argc, argv);
+        if (const int* code = std::get_if<int>(&parsed)) return *code;
+        return std::visit([](const auto& options) { return eyeray::run(options); }, std::get<eyeray::Options>(parsed));
+    } catch (const eyeray::InputError& error) {
+        return complain(error, kWrongRequest);
+    } catch (const std::bad_alloc&) {
+        fmt::print(stderr, "eyeray: memory: there is not enough of it: choose a smaller picture or scene\n");
+        return kCannot;
+    } catch (const std::exception& error) {
+        return complain(error, kCannot);
+    }
+}

@@ -23,7 +23,7 @@ ByteImage distinctPixels(int width, int height) {
 }
 
 /// What stands in the framebuffer when the texture is drawn at (x, y), `size` large.
-ByteImage drawn(HeadlessPlatform& platform, const Texture& texture, ImVec2 at, ImVec2 size) {
+ByteImage drawn(HeadlessPlatform& platform, const GlTexture& texture, ImVec2 at, ImVec2 size) {
     play(platform, [&] {
         ImGui::GetForegroundDrawList()->AddImage(textureId(texture), at, {at.x + size.x, at.y + size.y});
     });
@@ -36,10 +36,10 @@ TEST(Font, IsATrueTypeFile) {
     EXPECT_EQ(std::to_integer<int>(fontBytes()[1]), 1); // sfnt version 1.0
 }
 
-TEST(Texture, IsDrawnPixelForPixelAtItsOwnSize) {
+TEST(GlTexture, IsDrawnPixelForPixelAtItsOwnSize) {
     HeadlessPlatform platform(64, 48);
     const ByteImage image = distinctPixels(33, 21);
-    Texture texture(platform.gl());
+    GlTexture texture(platform.gl());
     texture.upload(image);
     const ByteImage shown = drawn(platform, texture, {7, 11}, {33, 21});
     for (int y = 0; y < image.height(); ++y)
@@ -49,11 +49,11 @@ TEST(Texture, IsDrawnPixelForPixelAtItsOwnSize) {
     EXPECT_EQ(shown.at(40, 31), (Rgba8{0, 0, 0, 255}));
 }
 
-TEST(Texture, AnUploadedPartChangesNothingBesideIt) {
+TEST(GlTexture, AnUploadedPartChangesNothingBesideIt) {
     HeadlessPlatform platform(33, 21);
     const ByteImage before = distinctPixels(33, 21);
     const ByteImage after(33, 21, Rgba8{200, 100, 50, 255});
-    Texture texture(platform.gl());
+    GlTexture texture(platform.gl());
     texture.upload(before);
     texture.upload(after, {5, 3, 7, 9});
     const ByteImage shown = drawn(platform, texture, {0, 0}, {33, 21});
@@ -64,9 +64,9 @@ TEST(Texture, AnUploadedPartChangesNothingBesideIt) {
         }
 }
 
-TEST(Texture, APartOutsideOrOfAnotherSizeIsRefused) {
+TEST(GlTexture, APartOutsideOrOfAnotherSizeIsRefused) {
     const HeadlessPlatform platform(8, 8);
-    Texture texture(platform.gl());
+    GlTexture texture(platform.gl());
     const ByteImage image(8, 8);
     texture.upload(image);
     EXPECT_THROW(texture.upload(image, {4, 0, 5, 1}), InternalError);
@@ -74,17 +74,17 @@ TEST(Texture, APartOutsideOrOfAnotherSizeIsRefused) {
     EXPECT_THROW(texture.upload(ByteImage(9, 8), {0, 0, 1, 1}), InternalError);
 }
 
-TEST(Texture, ASizeBeyondTheCardsIsAFailure) {
+TEST(GlTexture, ASizeBeyondTheCardsIsAFailure) {
     const HeadlessPlatform platform(8, 8);
-    Texture texture(platform.gl());
+    GlTexture texture(platform.gl());
     EXPECT_THROW(texture.upload(ByteImage(1 << 20, 1)), Failure);
 }
 
-TEST(Texture, MagnifiedItShowsItsPixelsOrIsSmooth) {
+TEST(GlTexture, MagnifiedItShowsItsPixelsOrIsSmooth) {
     HeadlessPlatform platform(16, 16);
     ByteImage image(2, 2, Rgba8{0, 0, 0, 255});
     image.at(1, 0) = image.at(1, 1) = {255, 255, 255, 255};
-    Texture texture(platform.gl());
+    GlTexture texture(platform.gl());
     texture.upload(image);
     const ByteImage hard = drawn(platform, texture, {0, 0}, {16, 16});
     EXPECT_EQ(hard.at(7, 5).r, 0);

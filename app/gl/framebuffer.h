@@ -17,12 +17,12 @@ public:
     /// What has been drawn, top row first. OpenGL's row 0, the lowest on a screen, becomes the last row.
     ByteImage read() const;
 
-    const Texture& color() const { return color_; }
+    const GlTexture& color() const { return color_; }
 
 private:
     const Gl* gl_;
     Handle handle_;
-    Texture color_;
+    GlTexture color_;
 };
 
 }

@@ -49,7 +49,7 @@ void stream(const Gl& gl, GLenum target, const ImVector<T>& values) {
 
 }
 
-ImTextureID textureId(const Texture& texture) {
+ImTextureID textureId(const GlTexture& texture) {
     return std::bit_cast<ImTextureID>(std::uintptr_t{texture.name()});
 }
 

@@ -10,7 +10,7 @@
 namespace eyeray {
 
 /// How a texture is named in ImGui::Image and draw lists; it must live until the frame is drawn.
-ImTextureID textureId(const Texture& texture);
+ImTextureID textureId(const GlTexture& texture);
 
 /// Draws ImGui's lists of triangles into the bound framebuffer. Sets all OpenGL state it depends on, each
 /// time, and does not restore any.

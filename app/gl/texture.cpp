@@ -4,21 +4,21 @@
 
 namespace eyeray {
 
-Texture::Texture(const Gl& gl, Magnify magnify) : gl_(&gl), handle_(gl.genTextures, gl.deleteTextures) {
+GlTexture::GlTexture(const Gl& gl, Magnify magnify) : gl_(&gl), handle_(gl.genTextures, gl.deleteTextures) {
     setMagnify(magnify);
     gl.texParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
     gl.texParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
     gl.texParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
 }
 
-void Texture::upload(const ByteImage& image) {
+void GlTexture::upload(const ByteImage& image) {
     if (image.width() != width_ || image.height() != height_)
         allocate(image.width(), image.height(), image.values().data());
     else
         upload(image, {0, 0, width_, height_});
 }
 
-void Texture::upload(const ByteImage& image, const PixelRect& part) {
+void GlTexture::upload(const ByteImage& image, const PixelRect& part) {
     ENSURE(image.width() == width_ && image.height() == height_);
     ENSURE(part.x >= 0 && part.width >= 0 && part.x <= width_ - part.width);
     ENSURE(part.y >= 0 && part.height >= 0 && part.y <= height_ - part.height);
@@ -30,18 +30,18 @@ void Texture::upload(const ByteImage& image, const PixelRect& part) {
     gl_->pixelStorei(GL_UNPACK_ROW_LENGTH, 0);
 }
 
-void Texture::resize(int width, int height) {
+void GlTexture::resize(int width, int height) {
     ENSURE(width >= 0 && height >= 0);
     if (width != width_ || height != height_) allocate(width, height, nullptr);
 }
 
-void Texture::setMagnify(Magnify magnify) {
+void GlTexture::setMagnify(Magnify magnify) {
     gl_->bindTexture(GL_TEXTURE_2D, name());
     gl_->texParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER,
                        magnify == Magnify::Smooth ? GL_LINEAR : GL_NEAREST);
 }
 
-void Texture::allocate(int width, int height, const void* pixels) {
+void GlTexture::allocate(int width, int height, const void* pixels) {
     GLint most = 0;
     gl_->getIntegerv(GL_MAX_TEXTURE_SIZE, &most);
     if (width > most || height > most)

@@ -18,9 +18,9 @@ struct PixelRect {
 };
 
 /// An RGBA8 texture; texture coordinate (0, 0) is the top left corner of the picture.
-class Texture {
+class GlTexture {
 public:
-    explicit Texture(const Gl& gl, Magnify magnify = Magnify::Pixels);
+    explicit GlTexture(const Gl& gl, Magnify magnify = Magnify::Pixels);
 
     /// Makes the texture a copy of the whole image, in the image's size. Throws Failure when the graphics
     /// card takes none so large.

@@ -16,7 +16,7 @@ public:
     void build(float pixels);
 
 private:
-    Texture texture_;
+    GlTexture texture_;
 };
 
 }

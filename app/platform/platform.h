@@ -46,6 +46,10 @@ public:
 
     virtual void setTitle(const std::string& title) = 0;
 
+    /// Fills the screen, where there is one.
+    virtual void setFullscreen(bool) {}
+    virtual bool fullscreen() const { return false; }
+
     /// The files dropped on the window since the last call.
     virtual std::vector<std::filesystem::path> takeDroppedFiles() = 0;
 

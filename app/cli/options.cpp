@@ -1,0 +1,159 @@
+#include "app/cli/options.h"
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include "app/document/scene_files.h"
+#include "core/base/errors.h"
+#include "core/render/render_settings.h"
+
+namespace eyeray {
+namespace {
+
+/// Adds `--key VALUE` that becomes the command `name key=VALUE`.
+void addSetting(CLI::App& app, PictureOptions& options, const std::string& key, const std::string& type,
+                const std::string& help, const std::string& command = "set") {
+    app.add_option_function<std::string>(
+           "--" + key,
+           [&options, key, command](const std::string& value) {
+               options.commands.push_back({command, {{key, value}}});
+           },
+           help)
+        ->type_name(type)
+        ->trigger_on_parse();
+}
+
+void addSwitchOff(CLI::App& app, PictureOptions& options, const std::string& key) {
+    app.add_flag_callback(
+        "--no-" + key, [&options, key] { options.commands.push_back({"set", {{key, "off"}}}); },
+        fmt::format("no {} rays", key.substr(0, key.size() - 1)));
+}
+
+void addStops(CLI::App& app, PictureOptions& options) {
+    for (const auto& [key, type, help] :
+         {std::tuple{"samples", "N", "stop after N samples per pixel"},
+          {"seconds", "S", "stop after S seconds"},
+          {"error", "E", "stop when the estimated error (0 to 1) is below E"}})
+        app.add_option_function<std::string>(
+               std::string("--") + key,
+               [&options, key = std::string(key)](const std::string& value) {
+                   options.commands.push_back({"set", {{key, value}}});
+                   options.stops = true;
+               },
+               help)
+            ->type_name(type)
+            ->trigger_on_parse();
+}
+
+void addPicture(CLI::App& app, PictureOptions& options) {
+    const auto side = CLI::Range(1, kMaxPictureSide);
+    app.add_option("--width", options.width, "width of the picture in pixels")->check(side)->type_name("N");
+    app.add_option("--height", options.height, "height of the picture in pixels")
+        ->check(side)
+        ->type_name("N");
+    addSetting(app, options, "camera", "NAME|INDEX", "one of the scene's cameras", "camera");
+    addSetting(app, options, "aspect", "A", "width by height: 16:9, 1.5");
+    addSetting(app, options, "fov", "DEG", "vertical field of view");
+    addSetting(app, options, "method", "NAME", "local, cast or whitted");
+    addSetting(app, options, "max-depth", "D", "deepest rays: 0 is eye rays alone, up to 64");
+    addSetting(app, options, "cutoff", "C", "smallest contribution that is traced");
+    for (const char* kind : {"shadows", "reflections", "refractions"}) addSwitchOff(app, options, kind);
+    addSetting(app, options, "fresnel", "NAME", "exact or constant weights at glass");
+    addSetting(app, options, "glass-shadows", "NAME", "shadow rays at glass: opaque, straight or all");
+    addStops(app, options);
+    app.add_option("--first-pass", options.firstPass, "number of the first sample")
+        ->check(CLI::Range(0, 1 << 24))
+        ->type_name("K");
+    addSetting(app, options, "accel", "NAME", "auto, brute or bvh2");
+    addSetting(app, options, "threads", "N", "threads that trace; 0 is one per core");
+    addSetting(app, options, "seed", "N", "start of the random numbers");
+    addSetting(app, options, "exposure", "EV", "brightness shown, in stops");
+    addSetting(app, options, "tonemap", "NAME", "none, clamp, reinhard or aces");
+}
+
+void addScene(CLI::App& app, PictureOptions& options, bool required) {
+    app.add_option("scene", options.scene, "built-in scene, .gltf or .glb file, or a picture made by Eyeray")
+        ->required(required)
+        ->type_name("SCENE");
+}
+
+void setWindowSize(SnapshotOptions& options, const std::string& text) {
+    const std::size_t x = text.find('x');
+    const auto width = toNumber(text.substr(0, x));
+    const auto height = x == std::string::npos ? std::nullopt : toNumber(text.substr(x + 1));
+    constexpr double kSmallest = 320, kLargest = 8192;
+    const auto fits = [&](const auto& side) { return side && *side >= kSmallest && *side <= kLargest; };
+    if (!fits(width) || !fits(height))
+        throw InputError("--size " + text, "not a window size",
+                         "give WxH such as 1280x720, each from 320 to 8192");
+    options.windowWidth = static_cast<int>(*width);
+    options.windowHeight = static_cast<int>(*height);
+}
+
+/// CLI11's own messages span several lines and name no remedy.
+[[noreturn]] void refuse(const CLI::ParseError& error) {
+    std::string what = error.what();
+    what = what.substr(0, what.find('\n'));
+    throw InputError("command line", what, "see `eyeray --help`");
+}
+
+}
+
+std::variant<Options, int> parseCommandLine(int argc, const char* const* argv) {
+    CLI::App app("Eyeray: an interactive teaching viewer with progressive ray tracing");
+    app.name("eyeray");
+    app.set_version_flag("--version", fmt::format("eyeray {}", EYERAY_VERSION));
+    app.require_subcommand(0, 1);
+    app.footer("Without a subcommand it opens the viewer: eyeray [SCENE]");
+
+    ViewOptions view;
+    RenderOptions render;
+    SnapshotOptions snapshot;
+    std::string size, play, stats;
+
+    CLI::App* viewing = app.add_subcommand("view", "open the viewer");
+    addScene(*viewing, view.picture, false);
+    addPicture(*viewing, view.picture);
+
+    CLI::App* rendering = app.add_subcommand("render", "render a picture to .png .exr .hdr .pfm .ppm");
+    addScene(*rendering, render.picture, true);
+    rendering->add_option("-o,--output", render.output, "file to write")->required()->type_name("FILE");
+    addPicture(*rendering, render.picture);
+    rendering->add_option("--stats", stats, "write figures as JSON")->type_name("FILE");
+    rendering->add_flag("--quiet", render.quiet, "no progress line");
+
+    CLI::App* drawing = app.add_subcommand("snapshot", "draw the whole viewer window without a display");
+    addScene(*drawing, snapshot.picture, true);
+    drawing->add_option("-o,--output", snapshot.output, "file to write")->required()->type_name("FILE.png");
+    drawing->add_option("--size", size, "size of the window")->type_name("WxH");
+    drawing->add_option("--play", play, "file of commands to carry out first")->type_name("FILE");
+    addPicture(*drawing, snapshot.picture);
+
+    const CLI::App* listing = app.add_subcommand("scenes", "list the built-in scenes");
+
+    // `eyeray SCENE` is `eyeray view SCENE`
+    std::vector<std::string> words(argv + 1, argv + argc);
+    const auto subcommands = app.get_subcommands({});
+    const bool bare = !words.empty() && words[0].rfind('-', 0) != 0 &&
+                      std::none_of(subcommands.begin(), subcommands.end(),
+                                   [&](const CLI::App* known) { return known->get_name() == words[0]; });
+    if (bare || words.empty()) words.insert(words.begin(), "view");
+    std::reverse(words.begin(), words.end());
+    try {
+        app.parse(words);
+    } catch (const CLI::Success& success) {
+        return app.exit(success);
+    } catch (const CLI::ParseError& error) {
+        refuse(error);
+    }
+    if (!stats.empty()) render.stats = stats;
+    if (!play.empty()) snapshot.play = play;
+    if (!size.empty()) setWindowSize(snapshot, size);
+    if (rendering->parsed()) return Options(render);
+    if (drawing->parsed()) return Options(snapshot);
+    if (listing->parsed()) return Options(ScenesOptions{});
+    if (view.picture.scene.empty()) view.picture.scene = kDefaultScene;
+    return Options(view);
+}
+
+}

@@ -1,0 +1,49 @@
+#pragma once
+// What the command line asks for.
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "app/document/command.h"
+
+namespace eyeray {
+
+/// Options of everything that renders.
+struct PictureOptions {
+    std::string scene;
+    std::optional<int> width, height; // pixels
+    std::vector<Command> commands;    // options that are settings, as commands, in order
+    int firstPass = 0;
+    bool stops = false; // --samples, --seconds or --error were given
+};
+
+struct ViewOptions {
+    PictureOptions picture;
+};
+
+struct RenderOptions {
+    PictureOptions picture;
+    std::filesystem::path output;
+    std::optional<std::filesystem::path> stats;
+    bool quiet = false;
+};
+
+struct SnapshotOptions {
+    PictureOptions picture;
+    std::filesystem::path output;
+    int windowWidth = 1280, windowHeight = 720;
+    std::optional<std::filesystem::path> play;
+};
+
+struct ScenesOptions {};
+
+using Options = std::variant<ViewOptions, RenderOptions, SnapshotOptions, ScenesOptions>;
+
+/// What main does next: options to carry out, or an exit code after help or version have been printed.
+/// Throws InputError for a wrong command line.
+std::variant<Options, int> parseCommandLine(int argc, const char* const* argv);
+
+}

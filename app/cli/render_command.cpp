@@ -1,0 +1,160 @@
+#include <fmt/format.h>
+#include <sys/resource.h>
+#include <unistd.h>
+
+#include <csignal>
+#include <cstdio>
+#include <nlohmann/json.hpp>
+
+#include "app/cli/run.h"
+#include "app/document/picture_file.h"
+#include "core/base/errors.h"
+#include "core/image/atomic_file.h"
+#include "core/render/render_session.h"
+
+namespace eyeray {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+constexpr int kDefaultWidth = 1280;
+constexpr double kDefaultAspect = 16.0 / 9;
+constexpr int kDefaultSamples = 16; // where no option says when to stop
+constexpr auto kProgressInterval = std::chrono::milliseconds(100);
+
+volatile std::sig_atomic_t interrupted = 0;
+
+double secondsSince(Clock::time_point start) {
+    return std::chrono::duration<double>(Clock::now() - start).count();
+}
+
+void setSize(RenderSettings& settings, const PictureOptions& options, double aspect) {
+    const double ratio = aspect > 0 ? aspect : kDefaultAspect;
+    const auto rounded = [](double side) {
+        return std::clamp(static_cast<int>(std::lround(side)), 1, kMaxPictureSide);
+    };
+    settings.width =
+        options.width.value_or(options.height ? rounded(*options.height * ratio) : kDefaultWidth);
+    settings.height = options.height.value_or(rounded(settings.width / ratio));
+}
+
+void showProgress(const RenderStatus& status, const StopSettings& stop) {
+    const double done = status.samples + status.passProgress;
+    double left =
+        stop.samples > 0 && done > 0 ? status.seconds / std::max(done, 1e-3) * (stop.samples - done) : 0;
+    if (stop.seconds > 0) left = std::min(left, stop.seconds - status.seconds);
+    fmt::print(stderr, "\r{:5.1f} of {} samples, {:.1f} s left, {:.2f} Mrays/s   ", done, stop.samples,
+               std::max(0.0, left), status.mraysPerSecond());
+    std::fflush(stderr);
+}
+
+/// Renders until done or interrupted.
+RenderStatus render(RenderSession& session, const std::shared_ptr<const World>& world,
+                    const Document& document, const RenderSettings& settings, bool progress) {
+    session.start(world, document.camera, settings);
+    RenderStatus status = session.wait(kProgressInterval);
+    while (status.active() && interrupted == 0) {
+        if (progress) showProgress(status, settings.stop);
+        status = session.wait(kProgressInterval);
+    }
+    if (progress) fmt::print(stderr, "\r\033[K");
+    session.stop();
+    status = session.status();
+    if (status.phase == RenderStatus::Phase::Failed)
+        throw Failure("render", status.failure, "choose a smaller picture");
+    return status;
+}
+
+nlohmann::json statistics(const OpenedScene& opened, const World& world, const RenderSettings& settings,
+                          const RenderStatus& status, double buildSeconds, double firstImage) {
+    rusage usage{};
+    getrusage(RUSAGE_SELF, &usage);
+    nlohmann::json rays;
+    for (int kind = 0; kind < kRayKinds; ++kind)
+        rays[std::string(kRayKindNames[static_cast<std::size_t>(kind)])] =
+            status.counts.rays[static_cast<std::size_t>(kind)];
+    return {{"scene", opened.reference},
+            {"width", settings.width},
+            {"height", settings.height},
+            {"samples", status.samples},
+            {"threads", status.threads},
+            {"method", kMethodNames[static_cast<std::size_t>(settings.trace.method)]},
+            {"seconds",
+             {{"load", opened.loadSeconds},
+              {"build", buildSeconds},
+              {"first_image", firstImage},
+              {"render", status.seconds}}},
+            {"rays", rays},
+            {"mrays_per_second", status.mraysPerSecond()},
+            {"deepest_ray", status.counts.deepest},
+            {"accelerator",
+             {{"kind", world.accelKind == AccelKind::Brute ? "brute" : "bvh2"},
+              {"primitives", world.primitives},
+              {"nodes", world.nodes},
+              {"bytes", world.bytes}}},
+            {"estimated_error", status.estimatedError},
+            {"not_needed", world.needs.reasons},
+            {"invalid_samples", status.counts.invalidSamples},
+            {"peak_rss_bytes", static_cast<std::int64_t>(usage.ru_maxrss) * 1024}};
+}
+
+}
+
+OpenedScene openFor(const PictureOptions& options) {
+    OpenedScene opened = openScene(options.scene);
+    for (const Command& command : options.commands) opened.document = apply(opened.document, command);
+    return opened;
+}
+
+int run(const RenderOptions& options) {
+    formatOf(options.output); // a wrong ending is said before the work
+    const OpenedScene opened = openFor(options.picture);
+    Document document = opened.document;
+    RenderSettings settings = document.render;
+    setSize(settings, options.picture, document.aspect);
+    settings.firstPass = options.picture.firstPass;
+    settings.coarse = false;
+    const auto given = [&](const char* key) {
+        return std::any_of(options.picture.commands.begin(), options.picture.commands.end(),
+                           [&](const Command& command) { return command.find(key).has_value(); });
+    };
+    if (!given("error")) settings.stop.error = 0;
+    if (!options.picture.stops) settings.stop.samples = kDefaultSamples;
+    if (options.picture.stops && !given("samples")) settings.stop.samples = 1 << 20;
+
+    std::signal(SIGINT, [](int) { interrupted = 1; });
+    std::signal(SIGTERM, [](int) { interrupted = 1; });
+    const auto buildStart = Clock::now();
+    const auto world = buildWorld(document.scene, document.build);
+    const double buildSeconds = secondsSince(buildStart);
+
+    RenderSession session(document.threads);
+    const bool progress = !options.quiet && isatty(STDERR_FILENO) != 0;
+    const RenderStatus status = render(session, world, document, settings, progress);
+    const ColorImage image = session.image();
+    if (image.empty()) {
+        fmt::print(stderr, "eyeray: interrupted before the first sample was whole: nothing is written\n");
+        return 1;
+    }
+    if (!opened.document.scene->statesExposure && !given("exposure"))
+        document.render.display.exposure = meteredExposure(image);
+
+    PictureState state{opened.reference, opened.sha256, {}};
+    for (const Command& command : commandsBetween(makeDocument(document.scene), document))
+        state.commands.push_back(command.text());
+    writePicture(options.output, image, document.render.display, state);
+    if (options.stats) {
+        const std::string text =
+            statistics(opened, *world, settings, status, buildSeconds, status.secondsToFirstPass).dump(2) +
+            "\n";
+        writeFileAtomically(*options.stats, std::as_bytes(std::span(text)));
+    }
+    if (interrupted != 0)
+        fmt::print(stderr, "eyeray: interrupted: {} whole samples are written\n", status.samples);
+    if (status.counts.invalidSamples > 0)
+        fmt::print(stderr, "eyeray: {} samples were not finite and count as black\n",
+                   status.counts.invalidSamples);
+    return 0;
+}
+
+}

@@ -1,0 +1,72 @@
+#include "app/gui/actions.h"
+
+#include <array>
+
+namespace eyeray {
+namespace {
+
+constexpr std::array kActions = {
+    Action{"File", "Open a scene…", "Ctrl+O", "dialog show=open"},
+    Action{"File", "Load the scene again", "F5", "reload"},
+    Action{"File", "Save the scene…", "Ctrl+S", "dialog show=save"},
+    Action{"File", "Picture to a file", "F12", "screenshot"},
+    Action{"File", "Window to a file", "Shift+F12", "window-screenshot"},
+    Action{"File", "Import report", "F2", "dialog show=report"},
+    Action{"File", "Quit", "Ctrl+Q", "quit"},
+
+    Action{"Edit", "Undo", "Ctrl+Z", "undo"},
+    Action{"Edit", "Redo", "Ctrl+Shift+Z", "redo"},
+    Action{"Edit", "Reset to the scene's own state", "Ctrl+R", "reset"},
+    Action{"Edit", "Select nothing", "Escape", "deselect"},
+
+    Action{"Rays", "Step 1: Phong alone", "1", "step n=1"},
+    Action{"Rays", "Step 2: and shadow rays", "2", "step n=2"},
+    Action{"Rays", "Step 3: and reflection", "3", "step n=3"},
+    Action{"Rays", "Step 4: and transmission", "4", "step n=4"},
+    Action{"Rays", "Shadow rays on or off", "S", "toggle key=shadows"},
+    Action{"Rays", "Reflection rays on or off", "R", "toggle key=reflections"},
+    Action{"Rays", "Refraction rays on or off", "T", "toggle key=refractions"},
+    Action{"Rays", "One level deeper", "PageUp", "adjust key=max-depth by=1"},
+    Action{"Rays", "One level less deep", "PageDown", "adjust key=max-depth by=-1"},
+    Action{"Rays", "Method: local", "F6", "set method=local"},
+    Action{"Rays", "Method: cast", "F7", "set method=cast"},
+    Action{"Rays", "Method: Whitted", "F8", "set method=whitted"},
+    Action{"Rays", "Pause or go on", "Space", "pause"},
+
+    Action{"Camera", "Frame the scene", "Home", "frame"},
+    Action{"Camera", "Frame the selected object", "Shift+Home", "frame-selected"},
+    Action{"Camera", "Next camera of the scene", "C", "next-camera"},
+    Action{"Camera", "Wider field of view", "F", "adjust key=fov by=5"},
+    Action{"Camera", "Narrower field of view", "Shift+F", "adjust key=fov by=-5"},
+    Action{"Camera", "Fly: W A S D move, Q E down and up", "V", "fly"},
+
+    Action{"View", "Brighter", "B", "adjust key=exposure by=0.5"},
+    Action{"View", "Darker", "Shift+B", "adjust key=exposure by=-0.5"},
+    Action{"View", "Presenter size", "P", "presenter"},
+    Action{"View", "Dark or light theme", "L", "theme"},
+    Action{"View", "Hide or show the panels", "Tab", "panels"},
+    Action{"View", "Full screen", "F11", "fullscreen"},
+    Action{"View", "Keys and commands", "F1", "dialog show=help"},
+
+    Action{"", "Picked pixel to the left", "Left", "move-pixel x=-1 y=0"},
+    Action{"", "Picked pixel to the right", "Right", "move-pixel x=1 y=0"},
+    Action{"", "Picked pixel up", "Up", "move-pixel x=0 y=-1"},
+    Action{"", "Picked pixel down", "Down", "move-pixel x=0 y=1"},
+};
+
+constexpr std::array kGestures = {
+    Gesture{"Left click", "picks the pixel and selects its object"},
+    Gesture{"Left drag", "orbits about the target"},
+    Gesture{"Middle drag", "moves the camera sideways"},
+    Gesture{"Wheel", "moves the camera nearer or farther"},
+    Gesture{"Shift + left drag", "moves the selected object"},
+    Gesture{"Right drag", "looks around from where the eye is"},
+    Gesture{"Drop a file", "opens a scene, or a picture that Eyeray made"},
+};
+
+}
+
+std::span<const Action> actions() { return kActions; }
+std::span<const Gesture> gestures() { return kGestures; }
+
+}

@@ -1,0 +1,240 @@
+#include "app/gui/gui.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <fstream>
+
+#include "app/gui/actions.h"
+#include "app/gui/dialogs.h"
+#include "app/gui/gui_commands.h"
+#include "app/gui/panels.h"
+#include "app/gui/theme.h"
+#include "app/platform/keys.h"
+#include "core/image/atomic_file.h"
+#include "core/image/encode.h"
+
+namespace eyeray {
+namespace {
+
+constexpr float kPresenterScale = 1.6F;
+constexpr float kPanelWidth = 23;      // in letters' heights
+constexpr float kLeastPicture = 0.35F; // of the window's width; panels give way
+
+constexpr ImGuiWindowFlags kFixed = ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize |
+                                    ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoCollapse |
+                                    ImGuiWindowFlags_NoBringToFrontOnFocus |
+                                    ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoNavInputs;
+
+}
+
+Gui::Gui(Viewer& viewer, Platform& platform, Preferences preferences)
+    : viewer_(viewer), platform_(platform), preferences_(std::move(preferences)), picture_(platform.gl()) {
+    setTheme(preferences_.dark);
+    setPresenter(preferences_.presenter);
+}
+
+void Gui::setTheme(bool dark) {
+    preferences_.dark = dark;
+    platform_.setStyle(themeStyle(dark));
+}
+
+void Gui::setPresenter(bool on) {
+    preferences_.presenter = on;
+    platform_.setTextScale(on ? kPresenterScale : 1.0F);
+}
+
+bool Gui::execute(const Command& command, const std::string& gesture) {
+    animating_ = true;
+    for (const GuiCommand& known : guiCommands()) {
+        if (known.name != command.name()) continue;
+        try {
+            known.run(*this, command);
+        } catch (const std::exception& error) {
+            viewer_.report(Notice::Kind::Error, error.what());
+            return false;
+        }
+        return true;
+    }
+    return viewer_.execute(command, gesture);
+}
+
+void Gui::frame() {
+    for (const auto& file : platform_.takeDroppedFiles()) execute({"open", {{"scene", file.string()}}});
+    if (viewer_.hasScene() && !viewer_.loading()) preferences_.remember(viewer_.opened().reference);
+    widgets_.clear();
+    const Widgets ui{
+        viewer_, preferences_.dark, platform_.scale(),
+        [this](const Command& command, const std::string& gesture) { return execute(command, gesture); },
+        widgets_};
+    keys();
+    menuBar(ui);
+
+    const ImGuiViewport& window = *ImGui::GetMainViewport();
+    const float status = ImGui::GetFrameHeight() + 2 * ImGui::GetStyle().WindowPadding.y;
+    const float wantedPanels = preferences_.panels ? ImGui::GetFontSize() * kPanelWidth : 0;
+    const float panelWidth = std::min(wantedPanels, window.WorkSize.x * (1 - kLeastPicture));
+    const ImVec2 origin = window.WorkPos, size = window.WorkSize;
+
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, 0);
+    ImGui::SetNextWindowPos({origin.x, origin.y + size.y - status});
+    ImGui::SetNextWindowSize({size.x, status});
+    ImGui::Begin("status", nullptr, kFixed | ImGuiWindowFlags_NoScrollbar);
+    statusBar(ui);
+    ImGui::End();
+    if (panelWidth > 0) {
+        ImGui::SetNextWindowPos({origin.x + size.x - panelWidth, origin.y});
+        ImGui::SetNextWindowSize({panelWidth, size.y - status});
+        ImGui::Begin("panels", nullptr, kFixed | ImGuiWindowFlags_AlwaysVerticalScrollbar);
+        panels(ui);
+        ImGui::End();
+    }
+    ImGui::SetNextWindowPos(origin);
+    ImGui::SetNextWindowSize({size.x - panelWidth, size.y - status});
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {0, 0});
+    ImGui::Begin("picture", nullptr,
+                 kFixed | ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse);
+    picture_.draw(ui);
+    ImGui::End();
+    ImGui::PopStyleVar(2);
+
+    noticesOverlay(ui, origin.x + size.x - panelWidth - ImGui::GetFontSize(),
+                   origin.y + ImGui::GetFontSize());
+    dialog(ui);
+    viewer_.watchFile();
+    animating_ = viewer_.update() || fly_ || !viewer_.notices().empty();
+}
+
+void Gui::panels(const Widgets& ui) {
+    if (panelHeading(ui, "Scene")) scenePanel(ui);
+    if (!viewer_.hasScene()) return;
+    if (panelHeading(ui, "Rays")) raysPanel(ui);
+    if (panelHeading(ui, "Camera")) cameraPanel(ui);
+    if (panelHeading(ui, "Object")) objectPanel(ui);
+    if (panelHeading(ui, "Picked pixel")) pixelPanel(ui);
+    if (panelHeading(ui, "Lamps and sky", false)) lightsPanel(ui);
+    if (panelHeading(ui, "Display")) displayPanel(ui);
+}
+
+void Gui::keys() {
+    const ImGuiIO& io = ImGui::GetIO();
+    if (io.WantTextInput) return;
+    if (fly_) flyKeys();
+    for (const Action& action : actions()) {
+        if (action.chord.empty()) continue;
+        const KeyChord chord = parseKeyChord(action.chord);
+        const bool letter = chord.key >= 'A' && chord.key <= 'Z';
+        if (fly_ && letter && !chord.ctrl && action.command != "fly") continue;
+        if (chord.ctrl != io.KeyCtrl || chord.shift != io.KeyShift || chord.alt != io.KeyAlt) continue;
+        if (!ImGui::IsKeyPressed(chord.key)) continue;
+        if (chord.key == kKeyEscape && dialog_ != Dialog::None)
+            show(Dialog::None);
+        else
+            execute(Command::parse(action.command));
+    }
+}
+
+void Gui::flyKeys() {
+    if (!viewer_.hasScene()) return;
+    struct Move {
+        int key;
+        const char* axis;
+        double sign;
+    };
+    const double speed = 0.6 * boundsOf(*viewer_.document().scene).radius(); // metres per second
+    const double step = speed * std::min(0.1, static_cast<double>(ImGui::GetIO().DeltaTime));
+    for (const Move& move : {Move{'W', "forward", 1},
+                             {'S', "forward", -1},
+                             {'D', "right", 1},
+                             {'A', "right", -1},
+                             {'E', "up", 1},
+                             {'Q', "up", -1}})
+        if (ImGui::IsKeyDown(move.key)) execute({"pan", {{move.axis, toText(move.sign * step)}}}, "fly");
+}
+
+void Gui::menuBar(const Widgets& ui) {
+    if (!ImGui::BeginMainMenuBar()) return;
+    for (const char* menu : {"File", "Edit", "Rays", "Camera", "View"}) {
+        const bool open = ImGui::BeginMenu(menu);
+        ui.mark(fmt::format("menu {}", menu));
+        if (!open) continue;
+        for (const Action& action : actions()) {
+            if (action.menu != menu) continue;
+            const bool possible = (action.command != "undo" || viewer_.canUndo()) &&
+                                  (action.command != "redo" || viewer_.canRedo());
+            if (ImGui::MenuItem(std::string(action.label).c_str(), std::string(action.chord).c_str(), false,
+                                possible))
+                execute(Command::parse(action.command));
+            ui.mark(fmt::format("menu {}", action.command));
+            if (action.command == "reload") recentMenu(ui);
+        }
+        ImGui::EndMenu();
+    }
+    ImGui::EndMainMenuBar();
+}
+
+void Gui::recentMenu(const Widgets& ui) {
+    if (!ImGui::BeginMenu("Recent scenes", !preferences_.recentScenes.empty())) return;
+    const std::vector<std::string> recent = preferences_.recentScenes;
+    for (const std::string& scene : recent) {
+        if (ImGui::MenuItem(scene.c_str())) execute({"open", {{"scene", scene}}});
+        ui.mark("recent " + scene);
+    }
+    ImGui::EndMenu();
+}
+
+void Gui::show(Dialog dialog) {
+    dialog_ = dialog;
+    const auto folder = viewer_.hasScene() ? viewer_.opened().path.parent_path() : std::filesystem::path();
+    if (dialog == Dialog::Open) files_.begin(FileDialog::Purpose::Open, folder, {".gltf", ".glb", ".png"});
+    if (dialog == Dialog::Save)
+        files_.begin(FileDialog::Purpose::Save, folder, {".gltf", ".glb"}, "scene.gltf");
+}
+
+void Gui::dialog(const Widgets& ui) {
+    if (dialog_ == Dialog::None) return;
+    constexpr std::array kTitles = {"", "Open a scene", "Save the scene", "Keys and commands",
+                                    "Import report"};
+    const ImGuiViewport& window = *ImGui::GetMainViewport();
+    const ImVec2 size{std::min(window.WorkSize.x * 0.94F, ImGui::GetFontSize() * 52),
+                      window.WorkSize.y * 0.86F};
+    ImGui::SetNextWindowPos(
+        {window.WorkPos.x + window.WorkSize.x / 2, window.WorkPos.y + window.WorkSize.y / 2},
+        ImGuiCond_Always, {0.5F, 0.5F});
+    ImGui::SetNextWindowSize(size, ImGuiCond_Always);
+    bool open = true;
+    if (ImGui::Begin(kTitles[static_cast<std::size_t>(dialog_)], &open,
+                     ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoResize |
+                         ImGuiWindowFlags_NoSavedSettings)) {
+        if (dialog_ == Dialog::Help) helpPage(ui);
+        if (dialog_ == Dialog::Report) importReport(ui);
+        if (dialog_ == Dialog::Open || dialog_ == Dialog::Save) fileDialog(ui);
+    }
+    ImGui::End();
+    if (!open) dialog_ = Dialog::None;
+}
+
+void Gui::fileDialog(const Widgets& ui) {
+    const auto file = files_.draw(ui);
+    if (!file) return;
+    const bool opening = dialog_ == Dialog::Open;
+    dialog_ = Dialog::None;
+    execute(opening ? Command("open", {{"scene", file->string()}})
+                    : Command("save", {{"file", file->string()}}));
+}
+
+void Gui::afterFrame() {
+    if (!windowFile_) return;
+    const std::filesystem::path file = *windowFile_;
+    windowFile_.reset();
+    try {
+        const PictureState state = viewer_.hasScene() ? viewer_.pictureState() : PictureState{};
+        writeFileAtomically(file, encodeDisplayed(platform_.screenshot(), ImageFormat::Png,
+                                                  toMetadata(state, file.parent_path())));
+        viewer_.report(Notice::Kind::Done, fmt::format("window saved as {}", file.string()));
+    } catch (const std::exception& error) {
+        viewer_.report(Notice::Kind::Error, error.what());
+    }
+}
+
+}

@@ -1,0 +1,112 @@
+#include "app/gui/gui_commands.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+
+#include "app/gui/gui.h"
+#include "core/base/errors.h"
+
+namespace eyeray {
+namespace {
+
+using namespace std::string_view_literals;
+
+constexpr std::array kDialogNames = {"none"sv, "open"sv, "save"sv, "help"sv, "report"sv};
+
+bool wanted(const Command& command, bool now) {
+    command.allowOnly({"on"});
+    return command.flag("on").value_or(!now);
+}
+
+void dialog(Gui& gui, const Command& command) {
+    command.allowOnly({"show"});
+    command.required("show");
+    gui.show(static_cast<Dialog>(*command.choice("show", kDialogNames)));
+}
+
+void theme(Gui& gui, const Command& command) {
+    constexpr std::array kNames = {"dark"sv, "light"sv};
+    command.allowOnly({"name"});
+    const auto name = command.choice("name", kNames);
+    gui.setTheme(name ? *name == 0 : !gui.preferences().dark);
+}
+
+void presenter(Gui& gui, const Command& command) {
+    gui.setPresenter(wanted(command, gui.preferences().presenter));
+}
+void panels(Gui& gui, const Command& command) { gui.setPanels(wanted(command, gui.preferences().panels)); }
+void fly(Gui& gui, const Command& command) { gui.setFly(wanted(command, gui.fly())); }
+void fullscreen(Gui& gui, const Command& command) {
+    gui.platform().setFullscreen(wanted(command, gui.platform().fullscreen()));
+}
+void quit(Gui& gui, const Command& command) {
+    command.allowOnly({});
+    gui.quit();
+}
+
+void windowScreenshot(Gui& gui, const Command& command) {
+    command.allowOnly({"file"});
+    const auto file = command.find("file");
+    gui.saveWindow(file ? std::filesystem::path(*file) : freeName(picturesFolder(), "eyeray-window"));
+}
+
+void deselect(Gui& gui, const Command&) {
+    if (gui.viewer().hasScene()) {
+        gui.viewer().pick(std::nullopt, false);
+        gui.execute({"select", {{"object", "none"}}});
+    }
+}
+
+void movePixel(Gui& gui, const Command& command) {
+    command.allowOnly({"x", "y"});
+    if (!gui.viewer().hasScene()) return;
+    const PictureSize size = gui.viewer().pictureSize();
+    const auto& pixel = gui.viewer().document().pixel;
+    const auto moved = [&](std::string_view axis, int from, int count) {
+        const int by = command.integer(axis, -kMaxPictureSide, kMaxPictureSide).value_or(0);
+        return std::clamp(from + by, 0, std::max(0, count - 1));
+    };
+    gui.viewer().pick(PixelPosition{moved("x", pixel ? pixel->x : size.width / 2, size.width),
+                                    moved("y", pixel ? pixel->y : size.height / 2, size.height)},
+                      false);
+}
+
+void frameSelected(Gui& gui, const Command&) {
+    if (!gui.viewer().hasScene()) return;
+    const int object = gui.viewer().document().selectedObject;
+    if (object < 0) throw InputError("frame-selected", "no object is selected", "click one first");
+    gui.execute({"frame", {{"object", fmt::format("{}", object)}}});
+}
+
+void nextCamera(Gui& gui, const Command&) {
+    if (!gui.viewer().hasScene()) return;
+    const Document& document = gui.viewer().document();
+    const auto& cameras = document.scene->cameras;
+    const auto now = std::find_if(cameras.begin(), cameras.end(),
+                                  [&](const Camera& camera) { return camera.name == document.camera.name; });
+    const auto index = static_cast<std::size_t>(now - cameras.begin() + 1) % cameras.size();
+    gui.execute({"camera", {{"camera", fmt::format("{}", index)}}});
+}
+
+constexpr std::array kCommands = {
+    GuiCommand{"dialog", "show=open|save|help|report|none", "Shows a dialog.", dialog},
+    GuiCommand{"window-screenshot", "file=FILE.png", "Saves the whole window.", windowScreenshot},
+    GuiCommand{"theme", "name=dark|light", "Chooses the theme.", theme},
+    GuiCommand{"presenter", "on=on|off", "Large text for the back row.", presenter},
+    GuiCommand{"panels", "on=on|off", "Shows or hides the panels.", panels},
+    GuiCommand{"fullscreen", "on=on|off", "Fills the screen.", fullscreen},
+    GuiCommand{"fly", "on=on|off", "W A S D Q E move the eye.", fly},
+    GuiCommand{"deselect", "", "Selects no object and no pixel.", deselect},
+    GuiCommand{"move-pixel", "x=DX y=DY", "Moves the picked pixel.", movePixel},
+    GuiCommand{"frame-selected", "", "Frames the selected object.", frameSelected},
+    GuiCommand{"next-camera", "", "Goes to the scene's next camera.", nextCamera},
+    GuiCommand{"quit", "", "Ends the program.", quit},
+};
+
+}
+
+std::span<const GuiCommand> guiCommands() { return kCommands; }
+
+}

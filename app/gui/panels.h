@@ -1,0 +1,18 @@
+#pragma once
+// The panels beside the picture, one function and one file each.
+
+#include "app/gui/widgets.h"
+
+namespace eyeray {
+
+void scenePanel(const Widgets&);   // built-in scenes, what to look at
+void raysPanel(const Widgets&);    // method, kinds of rays, depth, cutoff
+void cameraPanel(const Widgets&);  // field of view, aspect, corners of the image plane
+void objectPanel(const Widgets&);  // the selected object and its material
+void lightsPanel(const Widgets&);  // lamps, ambient light, sky
+void displayPanel(const Widgets&); // exposure, tone mapping, when to stop
+void pixelPanel(const Widgets&);   // the picked pixel
+void statusBar(const Widgets&);    // progress and counts, one line
+void noticesOverlay(const Widgets&, float right, float top); // what was done or went wrong
+
+}

@@ -1,0 +1,38 @@
+#pragma once
+// The picture in the window, and what the mouse does over it.
+
+#include <optional>
+
+#include "app/gl/texture.h"
+#include "app/gui/widgets.h"
+#include "core/image/pixels.h"
+
+namespace eyeray {
+
+class PictureView {
+public:
+    explicit PictureView(const Gl& gl) : texture_(gl) {}
+
+    /// Draws the picture, as large as it fits with its aspect, in what is left of the current ImGui window.
+    void draw(const Widgets&);
+
+    /// What the view shows, as displayed.
+    const ByteImage& shown() const { return shown_; }
+
+private:
+    void refresh(const Widgets&);
+    void show(const std::vector<Tile>&, const DisplaySettings&);
+    void mouse(const Widgets&, ImVec2 corner);
+    void drag(const Widgets&, int button, ImVec2 delta);
+    void pick(const Widgets&, ImVec2 position, ImVec2 corner);
+    void pickedMark(const Widgets&, ImVec2 corner) const;
+
+    GlTexture texture_;
+    Picture picture_;
+    ByteImage shown_;
+    std::optional<DisplaySettings> display_; // that `shown_` was made with
+    int drags_ = 0;                          // counts them, so that each is one step of undo
+    bool dragging_ = false;
+};
+
+}

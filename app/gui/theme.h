@@ -1,0 +1,21 @@
+#pragma once
+// How the window looks.
+
+#include <imgui.h>
+
+#include "core/base/ray_kind.h"
+
+namespace eyeray {
+
+/// Colours and measures of the dark or the light theme, at scale 1.
+ImGuiStyle themeStyle(bool dark);
+
+/// Colour of a kind of ray, the same in every view; told apart by people with any common colour blindness.
+/// Okabe, Ito 2008, "Color Universal Design".
+ImVec4 colorOf(RayKind, bool dark);
+
+/// Colours for what needs attention.
+ImVec4 errorColor(bool dark);
+ImVec4 doneColor(bool dark);
+
+}

@@ -1,0 +1,265 @@
+#include "app/viewer/viewer.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "app/document/document_commands.h"
+#include "app/viewer/viewer_commands.h"
+#include "core/base/errors.h"
+
+namespace eyeray {
+namespace {
+
+constexpr std::size_t kMostNotices = 8;
+constexpr auto kShortWait = std::chrono::milliseconds(5);
+constexpr auto kWatchInterval = std::chrono::seconds(1);
+
+}
+
+Viewer::Viewer(int threads)
+    : session_(std::make_unique<RenderSession>(threads)), threads_(threads), sessionThreads_(threads) {}
+
+bool Viewer::execute(const Command& command, const std::string& gesture) {
+    try {
+        if (isDocumentCommand(command.name())) {
+            if (!hasScene()) throw InputError(command.text(), "no scene is open", "open a scene first");
+            change(apply(document(), command), gesture);
+        } else {
+            executeViewerCommand(*this, command);
+        }
+    } catch (const std::exception& error) {
+        report(Notice::Kind::Error, error.what());
+        return false;
+    }
+    if (onExecuted) onExecuted(command);
+    return true;
+}
+
+void Viewer::change(Document changed, const std::string& gesture) {
+    const Document& now = document();
+    const bool onlySelected = changed.scene == now.scene && commandsBetween(now, changed).empty();
+    if (onlySelected)
+        history_->replace(std::move(changed));
+    else
+        history_->change(std::move(changed), gesture);
+}
+
+void Viewer::pick(std::optional<PixelPosition> pixel, bool select) {
+    Document picked = document();
+    picked.pixel = pixel;
+    history_->replace(std::move(picked));
+    traceAgain();
+    if (!select || !picked_) return;
+    Document selected = document();
+    selected.selectedObject = picked_->object;
+    history_->replace(std::move(selected));
+}
+
+void Viewer::traceAgain() {
+    picked_.reset();
+    if (!hasScene() || !document().pixel) return;
+    const PixelPosition pixel = *document().pixel;
+    auto trace = session_->retrace(pixel.x, pixel.y, 0);
+    if (!trace) return;
+    const int object = trace->rays.empty() ? -1 : trace->rays.front().object;
+    picked_ = PickedSample{pixel, std::move(*trace), object};
+}
+
+void Viewer::setPictureSize(int width, int height) {
+    width_ = width;
+    height_ = height;
+}
+
+void Viewer::setPaused(bool paused) {
+    paused_ = paused;
+    paused ? session_->pause() : session_->resume();
+}
+
+bool Viewer::update() {
+    const bool loaded = takeLoaded();
+    const bool built = takeBuilt();
+    if (!hasScene()) return loaded;
+    if (document().scene != builtScene_ || !(document().build == builtSettings_)) startBuilding();
+    const bool started = startRendering();
+    const bool metered = meterExposure();
+    const RenderStatus now = session_->status();
+    const bool finished = lastPhase_ != now.phase || lastSamples_ != now.samples;
+    if (document().pixel && (!picked_ || now.phase != lastPhase_)) traceAgain();
+    lastPhase_ = now.phase;
+    lastSamples_ = now.samples;
+    return loaded || built || started || metered || finished || now.active() || loading() || building();
+}
+
+void Viewer::startLoading(const std::string& nameOrPath, bool keepView) {
+    loadingName_ = nameOrPath;
+    keepView_ = keepView;
+    loading_.start([nameOrPath](const std::stop_token& stop) { return openScene(nameOrPath, stop); });
+}
+
+bool Viewer::takeLoaded() {
+    std::optional<OpenedScene> opened;
+    try {
+        opened = loading_.take();
+    } catch (const std::exception& error) {
+        report(Notice::Kind::Error, error.what());
+        return true;
+    }
+    if (!opened) return false;
+    opened_ = std::move(*opened);
+    std::error_code error;
+    fileTime_ = std::filesystem::last_write_time(opened_.path, error);
+    Document document = opened_.document;
+    meter_ = !document.scene->statesExposure && !keepView_;
+    if (keepView_ && hasScene()) {
+        document.camera = this->document().camera;
+        document.render = this->document().render;
+        document.aspect = this->document().aspect;
+    }
+    history_.emplace(std::move(document));
+    picked_.reset();
+    int changes = 0;
+    for (const auto& line : opened_.report.lines) changes += line.kind != ImportReport::Kind::Added ? 1 : 0;
+    if (changes > 0)
+        report(Notice::Kind::Warning,
+               fmt::format("{}: {} parts of the file are not shown as it says: see the import report",
+                           opened_.reference, changes));
+    return true;
+}
+
+void Viewer::startBuilding() {
+    builtScene_ = document().scene;
+    builtSettings_ = document().build;
+    building_.start(
+        [scene = builtScene_, settings = builtSettings_, previous = world_](const std::stop_token& stop) {
+            return buildWorld(scene, settings, previous.get(), stop);
+        });
+}
+
+bool Viewer::takeBuilt() {
+    try {
+        auto built = building_.take();
+        if (!built || !*built) return false;
+        world_ = std::move(*built);
+        return true;
+    } catch (const std::exception& error) {
+        report(Notice::Kind::Error, error.what());
+        return true;
+    }
+}
+
+bool Viewer::startRendering() {
+    if (!world_ || width_ <= 0 || height_ <= 0 || building()) return false;
+    const int threads = document().threads > 0 ? document().threads : threads_;
+    RenderSettings settings = document().render;
+    settings.width = width_;
+    settings.height = height_;
+    RenderSettings shown = settings; // how the picture is displayed changes nothing of the tracing
+    if (rendered_) shown.display = rendered_->display;
+    const bool same = rendered_ == shown && renderedWorld_ == world_ && sessionThreads_ == threads &&
+                      renderedCamera_ == document().camera;
+    if (same) return false;
+    if (sessionThreads_ != threads) {
+        session_ = std::make_unique<RenderSession>(threads);
+        sessionThreads_ = threads;
+        if (paused_) session_->pause();
+    }
+    rendered_ = settings;
+    renderedWorld_ = world_;
+    renderedCamera_ = document().camera;
+    session_->start(world_, document().camera, settings);
+    picked_.reset();
+    return true;
+}
+
+bool Viewer::meterExposure() {
+    if (!meter_ || session_->status().samples < 1) return false;
+    meter_ = false;
+    const ColorImage image = session_->image();
+    if (image.empty()) return false;
+    const double exposure = std::round(meteredExposure(image) * 10) / 10;
+    const Command command("set", {{"exposure", toText(std::clamp(exposure, -20.0, 20.0))}});
+    Document metered = apply(document(), command);
+    opened_.document = metered;
+    history_.emplace(std::move(metered));
+    report(Notice::Kind::Done, fmt::format("exposure metered once from the first picture: {} EV", exposure));
+    return true;
+}
+
+void Viewer::watchFile() {
+    const auto now = std::chrono::steady_clock::now();
+    if (!hasScene() || loading() || now - lastWatched_ < kWatchInterval) return;
+    lastWatched_ = now;
+    std::error_code error;
+    const auto time = std::filesystem::last_write_time(opened_.path, error);
+    if (error || time == fileTime_) return;
+    fileTime_ = time;
+    startLoading(opened_.path == std::filesystem::path(opened_.reference) ? opened_.reference
+                                                                          : opened_.path.string(),
+                 true);
+    report(Notice::Kind::Done, fmt::format("{} has changed on disk: loaded again", opened_.reference));
+}
+
+void Viewer::report(Notice::Kind kind, std::string text) {
+    notices_.push_back({kind, std::move(text), std::chrono::steady_clock::now()});
+    if (notices_.size() > kMostNotices) notices_.pop_front();
+}
+
+void Viewer::dismissNotice(std::size_t index) {
+    if (index < notices_.size()) notices_.erase(notices_.begin() + static_cast<std::ptrdiff_t>(index));
+}
+
+PictureState Viewer::pictureState() const {
+    PictureState state{opened_.reference, opened_.sha256, {}};
+    for (const Command& command : commandsBetween(fileDocument(), document()))
+        state.commands.push_back(command.text());
+    return state;
+}
+
+Scene Viewer::sceneToSave() const {
+    const Document& now = document();
+    Scene scene = *now.scene;
+    const auto original = std::find_if(scene.cameras.begin(), scene.cameras.end(),
+                                       [&](const Camera& camera) { return camera.name == now.camera.name; });
+    if (original != scene.cameras.end()) scene.cameras.erase(original);
+    scene.cameras.insert(scene.cameras.begin(), now.camera);
+    Document bare;
+    bare.scene = now.scene;
+    bare.camera = now.camera;
+    bare.render.stop = now.render.stop;
+    bare.threads = now.threads;
+    scene.settings.clear();
+    for (const Command& command : commandsBetween(bare, now)) scene.settings.push_back(command.text());
+    scene.statesExposure = true;
+    return scene;
+}
+
+Document Viewer::fileDocument() const { return makeDocument(opened_.document.scene); }
+
+void Viewer::finishJobs() {
+    do {
+        loading_.wait();
+        building_.wait();
+        update();
+    } while (loading() || building());
+}
+
+void Viewer::finishRendering(int samples) {
+    finishJobs();
+    if (!hasScene()) return;
+    while (true) {
+        const RenderStatus now = session_->status();
+        if (now.phase == RenderStatus::Phase::Finished || now.phase == RenderStatus::Phase::Failed ||
+            now.phase == RenderStatus::Phase::Paused || now.samples >= samples)
+            break;
+        session_->wait(kShortWait);
+        if (update()) finishJobs();
+    }
+    update();
+}
+
+void Viewer::endGesture() {
+    if (history_) history_->endGesture();
+}
+
+}

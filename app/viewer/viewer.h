@@ -1,0 +1,144 @@
+#pragma once
+// The viewer without its window: the document, what renders it, and every command. The window, a headless
+// snapshot and the command line drive it alike.
+
+#include <chrono>
+#include <deque>
+#include <filesystem>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/document/history.h"
+#include "app/document/picture_file.h"
+#include "app/document/scene_files.h"
+#include "app/viewer/background_job.h"
+#include "core/render/render_session.h"
+
+namespace eyeray {
+
+struct PictureSize {
+    int width = 0, height = 0; // pixels
+};
+
+/// What is known of the picked pixel: one of its samples, traced again.
+struct PickedSample {
+    PixelPosition pixel;
+    Retrace trace;   // of sample 0
+    int object = -1; // what the eye ray hit
+};
+
+/// A line for the person in front: what has been done, or what went wrong.
+struct Notice {
+    enum class Kind : std::uint8_t { Done, Warning, Error } kind = Kind::Done;
+    std::string text;
+    std::chrono::steady_clock::time_point time{};
+};
+
+/// Used by one thread. Nothing here waits for loading, building or tracing but finishJobs and
+/// finishRendering.
+class Viewer {
+public:
+    explicit Viewer(int threads = 0);
+
+    /// Carries out any command of the language: those that change the document, and those of
+    /// viewerCommands(). What goes wrong becomes a notice, and nothing else changes; false then. `gesture` as
+    /// in History::change.
+    bool execute(const Command&, const std::string& gesture = {});
+
+    /// Takes over what jobs have finished and restarts rendering if the document or the picture's size have
+    /// changed. To be called once a frame. True if something that a window shows may have changed.
+    bool update();
+
+    /// Size of the picture that is to be rendered.
+    void setPictureSize(int width, int height);
+    PictureSize pictureSize() const { return {width_, height_}; }
+
+    /// Reloads the scene if its file has changed on disk since it was read; looks at most once a second.
+    void watchFile();
+
+    // what there is to show
+    bool hasScene() const { return history_.has_value(); }
+    const Document& document() const { return history_->document(); }
+    bool canUndo() const { return history_ && history_->canUndo(); }
+    bool canRedo() const { return history_ && history_->canRedo(); }
+    const OpenedScene& opened() const { return opened_; }
+    bool loading() const { return loading_.running(); }
+    const std::string& loadingName() const { return loadingName_; }
+    bool building() const { return building_.running(); }
+    std::shared_ptr<const World> world() const { return world_; }
+    RenderSession& session() { return *session_; }
+    RenderStatus status() const { return session_->status(); }
+    bool paused() const { return paused_; }
+    const std::optional<PickedSample>& picked() const { return picked_; }
+    const std::deque<Notice>& notices() const { return notices_; }
+
+    // what viewerCommands() do
+    void startLoading(const std::string& nameOrPath, bool keepView);
+    void undo() { history_->undo(); }
+    void redo() { history_->redo(); }
+    void reset() { history_->change(history_->original()); }
+    void setPaused(bool);
+    /// Picks a pixel of the picture, or none; selects the object there if asked.
+    void pick(std::optional<PixelPosition>, bool select);
+    void report(Notice::Kind, std::string text);
+    void dismissNotice(std::size_t index);
+    /// Ends a drag: the next change is a step of its own for undo.
+    void endGesture();
+
+    /// What a picture of the present document says about its making.
+    PictureState pictureState() const;
+
+    /// The edited scene with the present view as its first camera and settings.
+    Scene sceneToSave() const;
+
+    /// Waits until loading and building have ended and update() has taken their results.
+    void finishJobs();
+    /// Waits until the picture is finished or has `samples` whole passes.
+    void finishRendering(int samples);
+
+    /// Told of each command that was carried out.
+    std::function<void(const Command&)> onExecuted;
+
+private:
+    void change(Document, const std::string& gesture);
+    bool takeLoaded();
+    void startBuilding();
+    bool takeBuilt();
+    bool startRendering();
+    bool meterExposure();
+    void traceAgain();
+    Document fileDocument() const;
+
+    std::optional<History> history_;
+    OpenedScene opened_;
+    std::filesystem::file_time_type fileTime_{};
+    std::chrono::steady_clock::time_point lastWatched_{};
+
+    BackgroundJob<OpenedScene> loading_;
+    std::string loadingName_;
+    bool keepView_ = false; // of the load under way: a reload keeps camera and settings
+    BackgroundJob<std::shared_ptr<const World>> building_;
+    std::shared_ptr<const World> world_;
+    std::shared_ptr<const Scene> builtScene_; // what the last build was started for
+    BuildSettings builtSettings_;
+
+    std::unique_ptr<RenderSession> session_;
+    int threads_; // as told at the start; a document may ask for others
+    int sessionThreads_;
+    std::optional<RenderSettings> rendered_; // what the session was last started with
+    Camera renderedCamera_;
+    std::shared_ptr<const World> renderedWorld_;
+    int width_ = 0, height_ = 0;
+    bool paused_ = false;
+    bool meter_ = false; // the exposure is to be metered from the first picture
+
+    std::optional<PickedSample> picked_;
+    std::deque<Notice> notices_;
+    RenderStatus::Phase lastPhase_ = RenderStatus::Phase::Idle; // at the last update
+    int lastSamples_ = 0;
+};
+
+}

@@ -1,0 +1,120 @@
+#include "app/viewer/viewer_commands.h"
+
+#include <fmt/format.h>
+
+#include <array>
+
+#include "app/viewer/viewer.h"
+#include "core/base/errors.h"
+
+namespace eyeray {
+namespace {
+
+namespace fs = std::filesystem;
+
+void needScene(const Viewer& viewer, const Command& command) {
+    if (!viewer.hasScene()) throw InputError(command.text(), "no scene is open", "open a scene first");
+}
+
+void open(Viewer& viewer, const Command& command) {
+    command.allowOnly({"scene"});
+    viewer.startLoading(command.required("scene"), false);
+}
+
+void reload(Viewer& viewer, const Command& command) {
+    command.allowOnly({});
+    needScene(viewer, command);
+    viewer.startLoading(viewer.opened().reference, true);
+}
+
+void save(Viewer& viewer, const Command& command) {
+    command.allowOnly({"file"});
+    needScene(viewer, command);
+    const fs::path file = command.required("file");
+    exportGltf(viewer.sceneToSave(), file);
+    viewer.report(Notice::Kind::Done, fmt::format("scene saved as {}", file.string()));
+}
+
+/// The picture alone, as it stands: whole passes, or the coarse picture before there are any.
+void screenshot(Viewer& viewer, const Command& command) {
+    command.allowOnly({"file"});
+    needScene(viewer, command);
+    const fs::path file =
+        command.find("file")
+            ? fs::path(*command.find("file"))
+            : freeName(picturesFolder(), fs::path(viewer.opened().reference).stem().string());
+    ColorImage image = viewer.session().image();
+    if (image.empty()) {
+        Picture picture;
+        viewer.session().read(picture);
+        image = picture.radiance;
+    }
+    if (image.empty()) throw InputError(command.text(), "there is no picture yet", "wait a moment");
+    writePicture(file, image, viewer.document().render.display, viewer.pictureState());
+    viewer.report(Notice::Kind::Done, fmt::format("picture saved as {}", file.string()));
+}
+
+void undo(Viewer& viewer, const Command& command) {
+    needScene(viewer, command);
+    viewer.undo();
+}
+
+void redo(Viewer& viewer, const Command& command) {
+    needScene(viewer, command);
+    viewer.redo();
+}
+
+void reset(Viewer& viewer, const Command& command) {
+    needScene(viewer, command);
+    viewer.reset();
+}
+
+void pause(Viewer& viewer, const Command& command) {
+    command.allowOnly({"on"});
+    viewer.setPaused(command.flag("on").value_or(!viewer.paused()));
+}
+
+void pick(Viewer& viewer, const Command& command) {
+    command.allowOnly({"x", "y", "select"});
+    needScene(viewer, command);
+    if (!command.find("x") && !command.find("y")) return viewer.pick(std::nullopt, false);
+    command.required("x");
+    command.required("y");
+    viewer.pick(
+        PixelPosition{*command.integer("x", 0, kMaxPictureSide), *command.integer("y", 0, kMaxPictureSide)},
+        command.flag("select").value_or(true));
+}
+
+void wait(Viewer& viewer, const Command& command) {
+    command.allowOnly({"samples"});
+    viewer.finishRendering(command.integer("samples", 1, 1000000).value_or(1000000));
+}
+
+constexpr std::array kCommands = {
+    ViewerCommand{"open", "scene=NAME|FILE", "Opens a built-in scene, a glTF file or a picture's scene.",
+                  open},
+    ViewerCommand{"reload", "", "Loads the scene file again and keeps the view.", reload},
+    ViewerCommand{"save", "file=FILE.gltf|.glb", "Saves the edited scene.", save},
+    ViewerCommand{"screenshot", "file=FILE", "Saves the picture; without a name into the Pictures folder.",
+                  screenshot},
+    ViewerCommand{"undo", "", "Takes back the last change.", undo},
+    ViewerCommand{"redo", "", "Does it again.", redo},
+    ViewerCommand{"reset", "", "Returns to the scene's own state.", reset},
+    ViewerCommand{"pause", "on=on|off", "Pauses or resumes tracing.", pause},
+    ViewerCommand{"pick", "x=X y=Y select=on|off",
+                  "Picks a pixel and selects its object; without x and y, none.", pick},
+    ViewerCommand{"wait", "samples=N", "Waits for so many samples, or until the picture is finished.", wait},
+};
+
+}
+
+std::span<const ViewerCommand> viewerCommands() { return kCommands; }
+
+void executeViewerCommand(Viewer& viewer, const Command& command) {
+    for (const ViewerCommand& known : kCommands)
+        if (known.name == command.name()) return known.run(viewer, command);
+    throw InputError(command.text(), "there is no such command",
+                     "see the list of commands on F1 or in the README");
+}
+
+}
