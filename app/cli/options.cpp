@@ -78,16 +78,15 @@ void addScene(CLI::App& app, PictureOptions& options, bool required) {
 }
 
 void setWindowSize(SnapshotOptions& options, const std::string& text) {
-    const std::size_t x = text.find('x');
-    const auto width = toNumber(text.substr(0, x));
-    const auto height = x == std::string::npos ? std::nullopt : toNumber(text.substr(x + 1));
     constexpr double kSmallest = 320, kLargest = 8192;
-    const auto fits = [&](const auto& side) { return side && *side >= kSmallest && *side <= kLargest; };
+    const std::size_t x = std::min(text.find('x'), text.size());
+    const double width = toNumber(text.substr(0, x)).value_or(0);
+    const double height = toNumber(text.substr(std::min(x + 1, text.size()))).value_or(0);
+    const auto fits = [&](double side) { return side >= kSmallest && side <= kLargest; };
     if (!fits(width) || !fits(height))
-        throw InputError("--size " + text, "not a window size",
-                         "give WxH such as 1280x720, each from 320 to 8192");
-    options.windowWidth = static_cast<int>(*width);
-    options.windowHeight = static_cast<int>(*height);
+        throw InputError("--size " + text, "not a window size", "give WxH such as 1280x720, each from 320 to 8192");
+    options.windowWidth = static_cast<int>(width);
+    options.windowHeight = static_cast<int>(height);
 }
 
 /// CLI11's own messages span several lines and name no remedy.
@@ -109,11 +108,13 @@ std::variant<Options, int> parseCommandLine(int argc, const char* const* argv) {
     ViewOptions view;
     RenderOptions render;
     SnapshotOptions snapshot;
-    std::string size, play, stats;
+    std::string size, play, stats, widgets;
 
     CLI::App* viewing = app.add_subcommand("view", "open the viewer");
     addScene(*viewing, view.picture, false);
     addPicture(*viewing, view.picture);
+    viewing->add_option("--widgets", widgets, "for tests: write where each widget stands, at each frame")
+        ->type_name("FILE");
 
     CLI::App* rendering = app.add_subcommand("render", "render a picture to .png .exr .hdr .pfm .ppm");
     addScene(*rendering, render.picture, true);
@@ -146,6 +147,7 @@ std::variant<Options, int> parseCommandLine(int argc, const char* const* argv) {
     } catch (const CLI::ParseError& error) {
         refuse(error);
     }
+    if (!widgets.empty()) view.widgets = widgets;
     if (!stats.empty()) render.stats = stats;
     if (!play.empty()) snapshot.play = play;
     if (!size.empty()) setWindowSize(snapshot, size);

@@ -22,6 +22,7 @@ struct PictureOptions {
 
 struct ViewOptions {
     PictureOptions picture;
+    std::optional<std::filesystem::path> widgets; // where the rectangles of widgets are written at each frame
 };
 
 struct RenderOptions {

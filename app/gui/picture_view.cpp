@@ -4,6 +4,8 @@
 
 #include <algorithm>
 
+#include "app/gl/imgui_renderer.h"
+
 namespace eyeray {
 namespace {
 
@@ -44,9 +46,7 @@ void PictureView::draw(const Widgets& ui) {
                         std::floor(start.y + (available.y - static_cast<float>(size.height)) / 2)};
     const ImVec2 opposite{corner.x + static_cast<float>(size.width),
                           corner.y + static_cast<float>(size.height)};
-    if (texture_.width() > 0)
-        ImGui::GetWindowDrawList()->AddImage(
-            reinterpret_cast<ImTextureID>(static_cast<std::uintptr_t>(texture_.name())), corner, opposite);
+    if (texture_.width() > 0) ImGui::GetWindowDrawList()->AddImage(textureId(texture_), corner, opposite);
     ImGui::SetCursorScreenPos(corner);
     ImGui::InvisibleButton("picture", {static_cast<float>(size.width), static_cast<float>(size.height)},
                            ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonRight |

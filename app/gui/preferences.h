@@ -11,7 +11,8 @@ struct Preferences {
     bool dark = true;
     bool presenter = false; // large text
     bool panels = true;     // shown
-    int windowWidth = 1280, windowHeight = 720;
+    int windowWidth = 1440, windowHeight = 860;
+    bool maximized = false;
     std::vector<std::string> recentScenes; // newest first
 
     /// Puts a scene at the front of the recent ones.

@@ -91,6 +91,16 @@ bool Viewer::update() {
     return loaded || built || started || metered || finished || now.active() || loading() || building();
 }
 
+void Viewer::openInBackground(const std::string& nameOrPath, std::vector<Command> commands) {
+    loadingName_ = nameOrPath;
+    keepView_ = false;
+    loading_.start([nameOrPath, commands = std::move(commands)](const std::stop_token& stop) {
+        OpenedScene opened = openScene(nameOrPath, stop);
+        for (const Command& command : commands) opened.document = apply(opened.document, command);
+        return opened;
+    });
+}
+
 void Viewer::startLoading(const std::string& nameOrPath, bool keepView) {
     loadingName_ = nameOrPath;
     keepView_ = keepView;

@@ -43,6 +43,9 @@ class Viewer {
 public:
     explicit Viewer(int threads = 0);
 
+    /// Opens a scene and then applies the commands to it, as if the scene itself had asked for them.
+    void openInBackground(const std::string& nameOrPath, std::vector<Command> commands);
+
     /// Carries out any command of the language: those that change the document, and those of
     /// viewerCommands(). What goes wrong becomes a notice, and nothing else changes; false then. `gesture` as
     /// in History::change.
