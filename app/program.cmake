@@ -13,8 +13,9 @@ eyeray_compile_options(eyeray_app)
 add_executable(eyeray app/main.cpp)
 target_link_libraries(eyeray PRIVATE eyeray_app)
 file(RELATIVE_PATH EYERAY_ASSETS_FROM_BIN ${CMAKE_INSTALL_FULL_BINDIR} ${CMAKE_INSTALL_FULL_DATADIR}/eyeray)
-target_compile_definitions(eyeray_app PRIVATE
-  EYERAY_BUILD_ASSETS="${CMAKE_CURRENT_SOURCE_DIR}/assets" EYERAY_INSTALLED_ASSETS="${EYERAY_ASSETS_FROM_BIN}"
+set_property(SOURCE app/document/scene_files.cpp APPEND PROPERTY COMPILE_DEFINITIONS
+  EYERAY_BUILD_ASSETS="${CMAKE_CURRENT_SOURCE_DIR}/assets" EYERAY_INSTALLED_ASSETS="${EYERAY_ASSETS_FROM_BIN}")
+set_property(SOURCE app/document/picture_file.cpp app/cli/options.cpp APPEND PROPERTY COMPILE_DEFINITIONS
   EYERAY_VERSION="${PROJECT_VERSION}")
 eyeray_compile_options(eyeray)
 install(TARGETS eyeray)

@@ -37,7 +37,7 @@ Metadata toMetadata(const PictureState& state, const fs::path& folder) {
 }
 
 PictureState readPictureState(const fs::path& picture) {
-    const auto text = readPngText(readFile(picture, kMostBytes));
+    const auto text = readPngText(readFile(picture, kMostBytes), picture.string());
     if (text.count(kSceneKey) == 0 || text.count(kHashKey) == 0)
         throw InputError(picture.string(), "this picture does not say which scene it shows",
                          "open a PNG that Eyeray has written, or a .gltf or .glb scene");

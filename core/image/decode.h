@@ -11,7 +11,6 @@
 
 namespace eyeray {
 
-inline constexpr int kMaxPictureSide = 16384; // pixels; also what OpenGL 4 hardware takes as a texture
 inline constexpr long long kMaxPicturePixels = 64'000'000; // 256 MB as bytes
 
 struct DecodedImage {

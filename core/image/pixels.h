@@ -10,6 +10,9 @@
 
 namespace eyeray {
 
+inline constexpr int kMaxPictureSide =
+    16384; // pixels, of pictures read or rendered; also what OpenGL 4 hardware takes as a texture
+
 /// width × height values, row by row from the top left.
 template <class T>
 class Pixels {

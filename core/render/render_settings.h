@@ -32,6 +32,4 @@ struct RenderSettings {
     friend bool operator==(const RenderSettings&, const RenderSettings&) = default;
 };
 
-inline constexpr int kMaxPictureSide = 16384;
-
 }
