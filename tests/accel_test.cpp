@@ -24,7 +24,7 @@ IndexedGeometry<Index> mixedScene(double size, std::uint32_t seed) {
     const auto shell = indexMesh<Index>(cases::shared(oneSided), {});
     std::vector<Instance<Index>> instances;
     for (int i = 0; i < 4; ++i) {
-        const auto add = [&](auto geometry) {
+        const auto add = [&](const auto& geometry) {
             instances.push_back(place<Index>(cases::randomPlacement(random, size), geometry));
             instances.back().mask = random.below(3) == 0 ? RayMask::Transparent : RayMask::Opaque;
         };
@@ -112,8 +112,9 @@ template <class Index>
 void expectLowerIdWins(const std::vector<Shape>& shapes, const DMat4& placement) {
     Random random(5);
     for (int order = 0; order < 4; ++order) {
-        std::vector<Instance<Index>> instances;
-        for (const Shape& shape : shapes) instances.push_back(place<Index>(placement, shape));
+        std::vector<Instance<Index>> instances(shapes.size());
+        std::ranges::transform(shapes, instances.begin(),
+                               [&](const Shape& shape) { return place<Index>(placement, shape); });
         // Others before, beside and behind, so that the tree is another one each time.
         for (int i = 0; i < order * 5; ++i)
             instances.push_back(place<Index>(glm::translate(DMat4(1), random.inCube(9) - DVec3(0, 0, 30)),
@@ -156,7 +157,8 @@ TEST(ClosestHit, OfCoincidentTrianglesIsTheLowerId) {
 
 TEST(ClosestHit, IgnoresTrianglesWithoutAreaAndKeepsTheOthersNumbers) {
     Random random(7);
-    TriangleMesh mesh = cases::closedMesh(8, 8, 1), dirty = mesh;
+    const TriangleMesh mesh = cases::closedMesh(8, 8, 1);
+    TriangleMesh dirty = mesh;
     const auto first = static_cast<std::uint32_t>(dirty.positions.size());
     dirty.positions.insert(dirty.positions.end(), {Vec3(std::nanf("")), Vec3(kInfinity, 0, 0)});
     for (std::uint32_t i = 0; i < 1000; ++i) {
@@ -203,7 +205,7 @@ TEST(Geometry, CountsTrianglesAndShapesPerInstanceAndBytesPerMesh) {
 }
 
 TEST(Geometry, StoppedWhileBuiltIsEmpty) {
-    std::stop_source stop;
+    const std::stop_source stop;
     stop.request_stop();
     const auto mesh = indexMesh<Bvh2>(cases::shared(cases::closedMesh(8, 8, 1)), stop.get_token());
     EXPECT_EQ(mesh->index.nodeCount(), 0U);

@@ -68,10 +68,10 @@ int depthOver(std::span<const Bounds> boxes, int leafSize = kLeaf) {
     return depth;
 }
 
-std::vector<Bounds> randomBoxes(std::uint32_t seed, int count) {
+std::vector<Bounds> randomBoxes(std::uint32_t seed, int count, double scale = 1) {
     Random random(seed);
-    std::vector<Bounds> boxes;
-    for (int i = 0; i < count; ++i) boxes.push_back(boxAt(random.inCube(1), random.uniform(0, 0.1)));
+    std::vector<Bounds> boxes(static_cast<std::size_t>(count));
+    for (Bounds& box : boxes) box = boxAt(random.inCube(scale), random.uniform(0, 0.1 * scale));
     return boxes;
 }
 
@@ -147,7 +147,7 @@ TEST(Bvh2, LeavesOutBoxesThatAreEmptyOrNotFinite) {
 }
 
 TEST(Bvh2, IsEmptyIfStopped) {
-    std::stop_source stop;
+    const std::stop_source stop;
     stop.request_stop();
     const Bvh2 tree(randomBoxes(4, 1000), kLeaf, stop.get_token());
     EXPECT_EQ(tree.nodeCount(), 0U);
@@ -158,9 +158,7 @@ TEST(Bvh2, VisitsEveryBoxThatARayCrosses) {
     using Real = long double;
     Random random(5);
     for (const double scale : {1e-3, 1.0, 1e3}) {
-        std::vector<Bounds> boxes;
-        for (int i = 0; i < 500; ++i)
-            boxes.push_back(boxAt(random.inCube(scale), random.uniform(0, 0.1 * scale)));
+        const auto boxes = randomBoxes(6, 500, scale);
         const Bvh2 tree(boxes, kLeaf, {});
         for (int i = 0; i < 2000; ++i) {
             const Ray r = ray(random.inCube(2 * scale), random.direction());
@@ -184,8 +182,8 @@ TEST(Bvh2, VisitsEveryBoxThatARayCrosses) {
 }
 
 TEST(Bvh2, StopsAtTheFirstYesAndHeedsAShrinkingLimit) {
-    std::vector<Bounds> row;
-    for (int i = 0; i < 100; ++i) row.push_back(boxAt(DVec3(0, 0, -i), 0.25));
+    std::vector<Bounds> row(100);
+    for (std::size_t i = 0; i < row.size(); ++i) row[i] = boxAt(DVec3(0, 0, -static_cast<double>(i)), 0.25);
     const Bvh2 tree(row, 1, {});
     const Ray r = ray({0, 0, 5}, {0, 0, -1});
     int calls = 0;

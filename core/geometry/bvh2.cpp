@@ -1,16 +1,18 @@
 #include "core/geometry/bvh2.h"
 
 #include <algorithm>
-#include <numeric>
 
 namespace eyeray {
 namespace {
 
-constexpr int kBins = 16;
+constexpr std::size_t kBins = 16;
+constexpr float kLeastExtent =
+    1e-30F; // its inverse is still a float; what is narrower is split at the median
 // Splits by area down to here, then at the median: no more than 32 further levels for 2³² entries.
 constexpr int kMaxAreaDepth = Bvh2::kMaxDepth - 32;
-// One node's test against one entry's; from 0.5 to 2 the rate of eye rays on 100,000 triangles hardly moves.
-constexpr double kNodeCost = 1;
+// One node's test against one entry's. On a bumpy sphere of 100,000 triangles 0.5, 1, 2 and 4
+// gave 10.9, 10.6, 11.5 and 11.4 million eye rays a second, and 83, 75, 63 and 59 bytes a triangle.
+constexpr double kNodeCost = 2;
 
 struct Item {
     Bounds box;
@@ -26,8 +28,8 @@ struct Task {
 };
 
 struct Split {
-    int axis = -1; // none found
-    int bin = 0;   // the first that goes right
+    int axis = -1;       // none found
+    std::size_t bin = 0; // the first that goes right
     double cost = 0;
 };
 
@@ -36,24 +38,26 @@ double halfArea(const Bounds& box) { // in double: the area of 2^±120 is out of
     return e.x * e.y + e.y * e.z + e.z * e.x;
 }
 
-/// Cuts the range of centres into equal bins along each axis.
+/// Cuts the range of centres into equal bins along each axis: no more than two for each of a few items.
 class Binning {
 public:
-    explicit Binning(const Bounds& centers) : lo_(centers.lo) {
+    Binning(const Bounds& centers, std::size_t items) : lo_(centers.lo), bins_(std::min(kBins, 2 * items)) {
         const Vec3 extent = centers.extent();
         for (int axis = 0; axis < 3; ++axis) {
-            const bool wide = extent[axis] > 1e-30F && std::isfinite(extent[axis]);
-            scale_[axis] = wide ? static_cast<float>(kBins) / extent[axis] : 0.0F;
+            const bool wide = extent[axis] > kLeastExtent && std::isfinite(extent[axis]);
+            scale_[axis] = wide ? static_cast<float>(bins_) / extent[axis] : 0.0F;
         }
     }
 
+    std::size_t bins() const { return bins_; }
     bool splits(int axis) const { return scale_[axis] > 0; }
-    int bin(const Vec3& center, int axis) const {
-        return std::min(kBins - 1, static_cast<int>((center[axis] - lo_[axis]) * scale_[axis]));
+    std::size_t bin(const Vec3& center, int axis) const {
+        return std::min(bins_ - 1, static_cast<std::size_t>((center[axis] - lo_[axis]) * scale_[axis]));
     }
 
 private:
     Vec3 lo_, scale_;
+    std::size_t bins_;
 };
 
 struct Bin {
@@ -65,39 +69,38 @@ struct Bin {
         count += other.count;
     }
 };
-using Bins = std::array<Bin, kBins>;
 
 // Least sum of child area times child count along one axis.
-void improve(Split& best, const Bins& bins, int axis) {
+void improve(Split& best, std::span<const Bin> bins, int axis) {
     std::array<double, kBins> right{};
     Bin sum;
-    for (std::size_t i = kBins - 1; i > 0; --i) {
+    for (std::size_t i = bins.size() - 1; i > 0; --i) {
         sum.add(bins[i]);
         right[i] = sum.count > 0 ? halfArea(sum.box) * sum.count : -1;
     }
     sum = Bin{};
-    for (std::size_t i = 1; i < kBins; ++i) {
+    for (std::size_t i = 1; i < bins.size(); ++i) {
         sum.add(bins[i - 1]);
         if (sum.count == 0 || right[i] < 0) continue;
         const double cost = halfArea(sum.box) * sum.count + right[i];
-        if (best.axis < 0 || cost < best.cost) best = {axis, static_cast<int>(i), cost};
+        if (best.axis < 0 || cost < best.cost) best = {axis, i, cost};
     }
 }
 
 Split bestSplit(std::span<const Item> items, const Binning& binning) {
-    std::array<Bins, 3> bins;
+    std::array<std::array<Bin, kBins>, 3> bins;
     for (const Item& item : items) {
         const Vec3 center = item.center();
         for (int axis = 0; axis < 3; ++axis) {
-            Bin& bin =
-                bins[static_cast<std::size_t>(axis)][static_cast<std::size_t>(binning.bin(center, axis))];
+            Bin& bin = bins[static_cast<std::size_t>(axis)][binning.bin(center, axis)];
             bin.box.add(item.box);
             ++bin.count;
         }
     }
     Split best;
     for (int axis = 0; axis < 3; ++axis)
-        if (binning.splits(axis)) improve(best, bins[static_cast<std::size_t>(axis)], axis);
+        if (binning.splits(axis))
+            improve(best, std::span(bins[static_cast<std::size_t>(axis)]).first(binning.bins()), axis);
     return best;
 }
 
@@ -120,7 +123,7 @@ std::size_t partition(std::span<Item> items, const Bounds& box, int leafSize, in
     for (const Item& item : items) centers.add(item.center());
     if (depth >= kMaxAreaDepth) return mayBeLeaf ? 0 : medianSplit(items, centers);
 
-    const Binning binning(centers);
+    const Binning binning(centers, items.size());
     const Split split = bestSplit(items, binning);
     const double area = halfArea(box);
     const double leafCost = area * static_cast<double>(items.size());
