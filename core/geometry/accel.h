@@ -1,6 +1,7 @@
 #pragma once
 // Everything that rays can hit, with an index that finds the candidates: brute force (the oracle) or a BVH.
-// A faster index joins by offering `visit` and becoming a member of Accel.
+// A faster index joins by offering what Bvh2 offers, its constructor included, and becoming a member of
+// Accel.
 
 #include <memory>
 #include <optional>
@@ -48,13 +49,14 @@ struct IndexedGeometry {
 
 using Accel = std::variant<IndexedGeometry<BruteForce>, IndexedGeometry<Bvh2>>;
 
-/// Index over the triangles of a mesh; triangles with a non-finite vertex or no area are left out.
-/// An empty index if `stop` was requested.
+/// Index over the triangles of a mesh; triangles with a non-finite vertex or no area are left out, the others
+/// keep their numbers. Throws InternalError for a vertex that does not exist. An empty index if `stop` was
+/// requested.
 template <class Index>
 std::shared_ptr<const IndexedMesh<Index>> indexMesh(std::shared_ptr<const TriangleMesh>,
                                                     const std::stop_token&);
 
-/// Top level over placed objects.
+/// Top level over placed objects; those whose box is empty or not a number are never hit.
 template <class Index>
 IndexedGeometry<Index> indexInstances(std::vector<Instance<Index>>, const std::stop_token&);
 

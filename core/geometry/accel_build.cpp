@@ -1,7 +1,9 @@
 // How the indices of meshes and placed objects are built.
 
+#include <algorithm>
 #include <unordered_set>
 
+#include "core/base/errors.h"
 #include "core/geometry/accel.h"
 
 namespace eyeray {
@@ -13,6 +15,7 @@ constexpr int kInstancesPerLeaf = 1; // mapping a ray to an instance costs more 
 // Empty, so that no index takes it, unless it is finite and has an area.
 Bounds indexedBounds(const TriangleMesh& mesh, std::uint32_t triangle) {
     const auto& [a, b, c] = mesh.triangles[triangle];
+    ENSURE(std::max({a, b, c}) < mesh.positions.size());
     const DVec3 p(mesh.positions[a]), q(mesh.positions[b]), r(mesh.positions[c]);
     const DVec3 normal = glm::cross(q - p, r - p);
     return isFinite(normal) && normal != DVec3(0) ? boundsOf(mesh, triangle) : Bounds{};

@@ -32,7 +32,7 @@ struct RayShear {
 };
 
 namespace detail {
-/// The rest of the test for a triangle that `a`, `b`, `c`, its sheared corners, do not rule out.
+/// The rest of the test for a triangle that its sheared corners do not rule out.
 std::optional<Hit> finishTriangle(const TriangleCorners&, const std::array<Vec2, 3>& sheared,
                                   bool doubleSided, const RayShear&, float tMin, float tMax);
 }
