@@ -17,7 +17,7 @@ constexpr std::array kGlassLabels = {"do not block"sv, "tint, straight through"s
 std::string grouped(std::uint64_t count) {
     std::string digits = fmt::format("{}", count);
     for (auto i = static_cast<int>(digits.size()) - 3; i > 0; i -= 3)
-        digits.insert(static_cast<std::size_t>(i), "\u2009");
+        digits.insert(static_cast<std::size_t>(i), 1, ' ');
     return digits;
 }
 

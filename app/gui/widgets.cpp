@@ -151,7 +151,7 @@ void Widgets::partPosition(const Command& command, const char* label, const char
     Vec3 edited(value);
     const auto speed = static_cast<float>(boundsOf(*viewer.document().scene).radius() * 0.005);
     labelled(label);
-    const bool changed = ImGui::DragFloat3(hidden(key).c_str(), &edited.x, speed, 0, 0, "%.3g");
+    const bool changed = ImGui::DragFloat3(hidden(key).c_str(), &edited.x, speed, 0, 0, "%.2f");
     mark(command.name() + " " + key);
     tooltip("drag, or double-click to type; metres");
     if (changed) part(command, key, toText(DVec3(edited)), true);
