@@ -18,3 +18,10 @@ run(${CMAKE_COMMAND} -G Ninja -S ${CMAKE_CURRENT_LIST_DIR}/install_consumer -B $
   -DCMAKE_BUILD_TYPE=Release -DCMAKE_PREFIX_PATH=${prefix})
 run(${CMAKE_COMMAND} --build ${work}/consumer)
 run(${work}/consumer/consumer)
+
+# A scene that only the installed folder has shows that the program does not read the source tree's.
+file(COPY_FILE ${prefix}/share/eyeray/scenes/homage.gltf ${prefix}/share/eyeray/scenes/only-installed.gltf)
+run(${prefix}/bin/eyeray scenes)
+if(NOT output MATCHES "only-installed")
+  message(FATAL_ERROR "the installed program lists other scenes than those installed with it:\n${output}")
+endif()
