@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <csignal>
 #include <exception>
 #include <variant>
 
@@ -18,10 +19,14 @@ int complain(const std::exception& error, int code) {
 }
 
 int main(int argc, char** argv) {
+    // a closed pipe or a file that grew too large is an error to be told, not an end
+    std::signal(SIGPIPE, SIG_IGN);
+    std::signal(SIGXFSZ, SIG_IGN);
     try {
         const auto parsed = eyeray::parseCommandLine(argc, argv);
         if (const int* code = std::get_if<int>(&parsed)) return *code;
-        return std::visit([](const auto& options) { return eyeray::run(options); }, std::get<eyeray::Options>(parsed));
+        return std::visit([](const auto& options) { return eyeray::run(options); },
+                          std::get<eyeray::Options>(parsed));
     } catch (const eyeray::InputError& error) {
         return complain(error, kWrongRequest);
     } catch (const std::bad_alloc&) {

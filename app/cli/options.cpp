@@ -84,7 +84,8 @@ void setWindowSize(SnapshotOptions& options, const std::string& text) {
     const double height = toNumber(text.substr(std::min(x + 1, text.size()))).value_or(0);
     const auto fits = [&](double side) { return side >= kSmallest && side <= kLargest; };
     if (!fits(width) || !fits(height))
-        throw InputError("--size " + text, "not a window size", "give WxH such as 1280x720, each from 320 to 8192");
+        throw InputError("--size " + text, "not a window size",
+                         "give WxH such as 1280x720, each from 320 to 8192");
     options.windowWidth = static_cast<int>(width);
     options.windowHeight = static_cast<int>(height);
 }

@@ -17,7 +17,7 @@ constexpr std::array kAccelLabels = {"auto"sv, "brute force"sv, "BVH"sv};
 void displayPanel(const Widgets& ui) {
     ui.number("Exposure", "exposure", -8, 8, "%+.1f EV");
     ui.choice("Tone mapping", "tonemap", kToneMapNames, kToneMapLabels);
-    ui.integer("Samples", "samples", 1, 1024);
+    ui.integer("Samples", "samples", 1, 4096, true);
     ui.choice("Accelerator", "accel", kAccelNames, kAccelLabels);
 }
 

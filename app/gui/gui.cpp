@@ -10,6 +10,7 @@
 #include "app/gui/gui_commands.h"
 #include "app/gui/panels.h"
 #include "app/gui/theme.h"
+#include "app/platform/input.h"
 #include "app/platform/keys.h"
 #include "core/image/atomic_file.h"
 #include "core/image/encode.h"
@@ -102,7 +103,7 @@ void Gui::frame() {
                    origin.y + ImGui::GetFontSize());
     dialog(ui);
     viewer_.watchFile();
-    animating_ = viewer_.update() || fly_ || !viewer_.notices().empty();
+    animating_ = viewer_.update() || fly_ || viewer_.noticesPass();
 }
 
 void Gui::panels(const Widgets& ui) {
@@ -125,8 +126,7 @@ void Gui::keys() {
         const KeyChord chord = parseKeyChord(action.chord);
         const bool letter = chord.key >= 'A' && chord.key <= 'Z';
         if (fly_ && letter && !chord.ctrl && action.command != "fly") continue;
-        if (chord.ctrl != io.KeyCtrl || chord.shift != io.KeyShift || chord.alt != io.KeyAlt) continue;
-        if (!ImGui::IsKeyPressed(chord.key)) continue;
+        if (!pressed(chord, action.menu.empty())) continue;
         if (chord.key == kKeyEscape && dialog_ != Dialog::None)
             show(Dialog::None);
         else

@@ -71,7 +71,7 @@ void raysPanel(const Widgets& ui) {
                 counts);
         ImGui::EndTable();
     }
-    ui.integer("Max depth", "max-depth", 0, 16);
+    ui.integer("Max depth", "max-depth", 0, kMaxDepth, true);
     ui.number("Cutoff", "cutoff", 0, 0.5F, "%.4f", true);
     ui.choice("At glass", "fresnel", kFresnelModeNames, kFresnelLabels);
     ui.choice("Glass shadows", "glass-shadows", kGlassShadowNames, kGlassLabels);

@@ -60,13 +60,10 @@ void statusBar(const Widgets& ui) {
 }
 
 void noticesOverlay(const Widgets& ui, float right, float top) {
-    constexpr auto kShown = std::chrono::seconds(6); // errors stay until they are dismissed
-    const auto now = std::chrono::steady_clock::now();
     const auto& notices = ui.viewer.notices();
     for (std::size_t i = 0; i < notices.size(); ++i) {
         const Notice& notice = notices[i];
         const bool error = notice.kind == Notice::Kind::Error;
-        if (!error && now - notice.time > kShown) continue;
         ImGui::SetNextWindowPos({right, top}, ImGuiCond_Always, {1, 0});
         ImGui::SetNextWindowBgAlpha(0.92F);
         ImGui::Begin(fmt::format("notice{}", i).c_str(), nullptr,

@@ -63,12 +63,12 @@ void Widgets::flag(const char* label, const char* key) const {
     if (changed) run({"set", {{key, toText(on)}}}, {});
 }
 
-void Widgets::integer(const char* label, const char* key, int lowest, int highest) const {
+void Widgets::integer(const char* label, const char* key, int lowest, int highest, bool logarithmic) const {
     const Setting& setting = settingNamed(key);
     int value = static_cast<int>(toNumber(setting.get(viewer.document())).value_or(lowest));
     labelled(label);
     const bool changed =
-        ImGui::SliderInt(hidden(key).c_str(), &value, lowest, highest, "%d", sliderFlags(false));
+        ImGui::SliderInt(hidden(key).c_str(), &value, lowest, highest, "%d", sliderFlags(logarithmic));
     mark(key);
     tooltip(setting.help);
     if (changed) run({"set", {{key, fmt::format("{}", value)}}}, key);

@@ -35,7 +35,7 @@ struct Widgets {
 
     // Settings, by the key of settings(); the tooltip is the setting's help.
     void flag(const char* label, const char* key) const;
-    void integer(const char* label, const char* key, int lowest, int highest) const;
+    void integer(const char* label, const char* key, int lowest, int highest, bool logarithmic = false) const;
     void number(const char* label, const char* key, float lowest, float highest, const char* format,
                 bool logarithmic = false) const;
     void choice(const char* label, const char* key, std::span<const std::string_view> names,

@@ -66,7 +66,8 @@ void GlfwPlatform::listen() {
     glfwSetWindowFocusCallback(
         w, [](GLFWwindow*, int focused) { ImGui::GetIO().AddFocusEvent(focused == GLFW_TRUE); });
     glfwSetWindowSizeCallback(w, [](GLFWwindow* window, int width, int height) {
-        if (!glfwGetWindowAttrib(window, GLFW_MAXIMIZED)) platform(window).restored_ = {width, height, false};
+        if (!glfwGetWindowAttrib(window, GLFW_MAXIMIZED) && !platform(window).fullscreen())
+            platform(window).restored_ = {width, height, false};
     });
     glfwSetDropCallback(w, [](GLFWwindow* window, int count, const char** paths) {
         platform(window).dropped_.insert(platform(window).dropped_.end(), paths, paths + count);

@@ -157,6 +157,20 @@ float GlfwPlatform::contentScale() const {
 
 void GlfwPlatform::setTitle(const std::string& title) { glfwSetWindowTitle(window_.get(), title.c_str()); }
 
+bool GlfwPlatform::fullscreen() const { return glfwGetWindowMonitor(window_.get()) != nullptr; }
+
+void GlfwPlatform::setFullscreen(bool on) {
+    GLFWmonitor* const monitor = glfwGetPrimaryMonitor();
+    const GLFWvidmode* const mode = monitor ? glfwGetVideoMode(monitor) : nullptr;
+    if (on == fullscreen() || !mode) return;
+    if (!on)
+        return glfwSetWindowMonitor(window_.get(), nullptr, windowed_.x, windowed_.y, windowed_.width,
+                                    windowed_.height, GLFW_DONT_CARE);
+    glfwGetWindowPos(window_.get(), &windowed_.x, &windowed_.y);
+    glfwGetWindowSize(window_.get(), &windowed_.width, &windowed_.height);
+    glfwSetWindowMonitor(window_.get(), monitor, 0, 0, mode->width, mode->height, mode->refreshRate);
+}
+
 std::vector<std::filesystem::path> GlfwPlatform::takeDroppedFiles() { return std::exchange(dropped_, {}); }
 
 void GlfwPlatform::showCursor() {

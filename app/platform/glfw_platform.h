@@ -38,6 +38,8 @@ public:
     FramebufferSize framebufferSize() const override;
     float contentScale() const override;
     void setTitle(const std::string& title) override;
+    void setFullscreen(bool) override;
+    bool fullscreen() const override;
     std::vector<std::filesystem::path> takeDroppedFiles() override;
     const Gl& gl() const override { return gl_; }
 
@@ -60,6 +62,10 @@ private:
     };
 
     Library library_;
+    struct Place {
+        int x = 0, y = 0, width = 0, height = 0;
+    };
+    Place windowed_;      // where the window was before it filled the screen
     WindowSize restored_; // what the window has, or had before it was maximized
     std::unique_ptr<GLFWwindow, DestroyWindow> window_;
     Gl gl_;

@@ -13,6 +13,7 @@ namespace {
 
 constexpr std::size_t kMostNotices = 8;
 constexpr auto kShortWait = std::chrono::milliseconds(5);
+constexpr auto kNoticeShown = std::chrono::seconds(6); // errors stay until they are dismissed
 constexpr auto kWatchInterval = std::chrono::seconds(1);
 
 }
@@ -77,6 +78,9 @@ void Viewer::setPaused(bool paused) {
 }
 
 bool Viewer::update() {
+    std::erase_if(notices_, [now = std::chrono::steady_clock::now()](const Notice& notice) {
+        return notice.kind != Notice::Kind::Error && now - notice.time > kNoticeShown;
+    });
     const bool loaded = takeLoaded();
     const bool built = takeBuilt();
     if (!hasScene()) return loaded;
@@ -153,6 +157,7 @@ bool Viewer::takeBuilt() {
         world_ = std::move(*built);
         return true;
     } catch (const std::exception& error) {
+        world_ = nullptr;
         report(Notice::Kind::Error, error.what());
         return true;
     }
@@ -215,6 +220,11 @@ void Viewer::report(Notice::Kind kind, std::string text) {
     if (notices_.size() > kMostNotices) notices_.pop_front();
 }
 
+bool Viewer::noticesPass() const {
+    return std::any_of(notices_.begin(), notices_.end(),
+                       [](const Notice& notice) { return notice.kind != Notice::Kind::Error; });
+}
+
 void Viewer::dismissNotice(std::size_t index) {
     if (index < notices_.size()) notices_.erase(notices_.begin() + static_cast<std::ptrdiff_t>(index));
 }
@@ -256,7 +266,7 @@ void Viewer::finishJobs() {
 
 void Viewer::finishRendering(int samples) {
     finishJobs();
-    if (!hasScene()) return;
+    if (!hasScene() || !world_ || width_ <= 0 || height_ <= 0) return;
     while (true) {
         const RenderStatus now = session_->status();
         if (now.phase == RenderStatus::Phase::Finished || now.phase == RenderStatus::Phase::Failed ||

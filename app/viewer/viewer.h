@@ -77,6 +77,8 @@ public:
     bool paused() const { return paused_; }
     const std::optional<PickedSample>& picked() const { return picked_; }
     const std::deque<Notice>& notices() const { return notices_; }
+    /// True while there is a notice that will go by itself.
+    bool noticesPass() const;
 
     // what viewerCommands() do
     void startLoading(const std::string& nameOrPath, bool keepView);

@@ -17,7 +17,4 @@ struct Cast {
 
 std::unique_ptr<Integrator> makeCast() { return std::make_unique<TiledIntegrator<Cast>>(); }
 
-// The same rays: TraceContext has switched shadow rays off for this method.
-std::unique_ptr<Integrator> makeLocal() { return makeCast(); }
-
 }
