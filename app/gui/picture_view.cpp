@@ -123,30 +123,25 @@ void PictureView::drag(const Widgets& ui, int button, ImVec2 delta) {
     const Document& document = ui.viewer.document();
     const Camera& camera = document.camera;
     const std::string gesture = fmt::format("drag {}", drags_);
-    const auto angles = [&](double speed) {
-        return std::vector<Command::Argument>{{"yaw", toText(-speed * static_cast<double>(delta.x))},
-                                              {"pitch", toText(-speed * static_cast<double>(delta.y))}};
-    };
+    const double right = delta.x, down = delta.y;
     if (button == ImGuiMouseButton_Right) {
-        ui.execute({"turn", angles(-kTurnSpeed)}, gesture);
+        ui.execute({"turn", {{"yaw", toText(-kTurnSpeed * right)}, {"pitch", toText(-kTurnSpeed * down)}}},
+                   gesture);
     } else if (button == ImGuiMouseButton_Middle) {
         const double metres = metresPerPixel(camera, camera.distance(), shown_.height());
-        ui.execute({"pan",
-                    {{"right", toText(-metres * static_cast<double>(delta.x))},
-                     {"up", toText(metres * static_cast<double>(delta.y))}}},
-                   gesture);
+        ui.execute({"pan", {{"right", toText(-metres * right)}, {"up", toText(metres * down)}}}, gesture);
     } else if (ImGui::GetIO().KeyShift && document.selectedObject >= 0) {
         const Object& object = document.scene->objects[static_cast<std::size_t>(document.selectedObject)];
         const CameraAxes axes = axesOf(camera);
         const double distance = glm::dot(camera.eye - DVec3(object.transform[3]), axes.backward);
         const double metres =
             metresPerPixel(camera, std::max(distance, 0.1 * camera.distance()), shown_.height());
-        const DVec3 by =
-            metres * (axes.right * static_cast<double>(delta.x) - axes.up * static_cast<double>(delta.y));
+        const DVec3 by = metres * (axes.right * right - axes.up * down);
         ui.execute({"move", {{"object", fmt::format("{}", document.selectedObject)}, {"by", toText(by)}}},
                    gesture);
     } else if (!ImGui::GetIO().KeyShift) {
-        ui.execute({"orbit", angles(kOrbitSpeed)}, gesture);
+        ui.execute({"orbit", {{"yaw", toText(-kOrbitSpeed * right)}, {"pitch", toText(kOrbitSpeed * down)}}},
+                   gesture);
     }
 }
 
