@@ -43,6 +43,11 @@ endforeach()
 set_property(DIRECTORY APPEND PROPERTY TEST_INCLUDE_FILES ${EYERAY_TEST_LABELS})
 
 if(EYERAY_BUILD_APP)
+  file(GLOB EYERAY_BENCHMARKS CONFIGURE_DEPENDS tests/bench/*.cpp)
+  add_executable(eyeray_bench ${EYERAY_BENCHMARKS})
+  target_link_libraries(eyeray_bench PRIVATE eyeray_app)
+  eyeray_compile_options(eyeray_bench)
+
   add_test(NAME install_works
     COMMAND ${CMAKE_COMMAND} -DBUILD=${CMAKE_CURRENT_BINARY_DIR} -P ${CMAKE_CURRENT_SOURCE_DIR}/tests/install_test.cmake)
   set_tests_properties(install_works PROPERTIES LABELS e2e TIMEOUT 300)

@@ -1,0 +1,93 @@
+// From an edit to a whole coarse picture, while the picture before is still being traced.
+
+#include <fmt/format.h>
+
+#include <random>
+
+#include "tests/bench/bench.h"
+
+namespace eyeray::bench {
+namespace {
+
+constexpr int kEdits = 200;
+
+/// What a person does at the mouse and the panels, at random.
+class Editor {
+public:
+    Command next(const Document& document) {
+        switch (std::uniform_int_distribution(0, 7)(random_)) {
+        case 0:
+            return line("orbit yaw={} pitch={}", between(-20, 20), between(-3, 3));
+        case 1:
+            return line("dolly factor={}", between(0.95, 1.05));
+        case 2:
+            return line("set fov={}", between(25, 60));
+        case 3:
+            return line("set max-depth={}", std::uniform_int_distribution(0, 8)(random_));
+        case 4:
+            return line("toggle key={}", either("shadows", "reflections"));
+        case 5:
+            return line("step n=4");
+        case 6:
+            return line("material material=0 diffuse={},0.5,0.5", between(0.2, 0.9));
+        default:
+            return line("move object={} by={},0,{}", object(document), between(-0.1, 0.1),
+                        between(-0.1, 0.1));
+        }
+    }
+
+    std::chrono::microseconds pause() {
+        return std::chrono::microseconds(std::uniform_int_distribution(0, 60'000)(random_));
+    }
+
+private:
+    template <class... Args>
+    static Command line(fmt::format_string<Args...> format, Args&&... args) {
+        return Command::parse(fmt::format(format, std::forward<Args>(args)...));
+    }
+    double between(double lowest, double highest) {
+        return std::uniform_real_distribution(lowest, highest)(random_);
+    }
+    const char* either(const char* a, const char* b) {
+        return std::uniform_int_distribution(0, 1)(random_) == 0 ? a : b;
+    }
+    std::size_t object(const Document& document) {
+        return std::uniform_int_distribution<std::size_t>(0, document.scene->objects.size() - 1)(random_);
+    }
+
+    std::mt19937 random_{1};
+};
+
+void edit(const std::string& scene) {
+    Document document = openForever(scene);
+    auto world = buildWorld(document.scene, document.build);
+    RenderSession session;
+    session.start(world, document.camera, document.render);
+    awaitCoarse(session);
+    std::vector<double> coarse, rebuilt;
+    Editor editor;
+    for (int i = 0; i < kEdits; ++i) {
+        std::this_thread::sleep_for(editor.pause());
+        const Document changed = apply(document, editor.next(document));
+        const auto start = Clock::now();
+        const bool rebuild = changed.scene != document.scene;
+        if (rebuild) world = buildWorld(changed.scene, changed.build, world.get());
+        const double build = secondsSince(start);
+        session.start(world, changed.camera, changed.render);
+        const double seconds = awaitCoarse(session).secondsToCoarse;
+        coarse.push_back(seconds * 1e3);
+        if (rebuild) rebuilt.push_back((build + seconds) * 1e3);
+        document = changed;
+    }
+    printSeries(scene, coarse, {Goal::Of::Percentile95, 30});
+    printSeries("  of the scene, with its rebuilding", rebuilt);
+}
+
+}
+
+void benchCoarse() {
+    printHeading("Edit to whole coarse picture, 1280x720", "ms");
+    for (const char* scene : {"homage", "many", "terrain"}) edit(scene);
+}
+
+}
