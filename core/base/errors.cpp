@@ -10,10 +10,13 @@ Error::Error(std::string where, const std::string& what, const std::string& reme
       where_(std::move(where)) {}
 
 std::string printable(std::string_view text, std::size_t limit) {
+    constexpr std::size_t kContinuations = 3; // most bytes that UTF-8 adds to a character's first
     std::string result;
     for (const char c : text) {
-        if (result.size() >= limit) return result + "…";
-        if (const auto byte = static_cast<unsigned char>(c); byte < 0x20 || byte == 0x7f)
+        const auto byte = static_cast<unsigned char>(c);
+        const bool amidCharacter = (byte & 0xc0U) == 0x80U && result.size() < limit + kContinuations;
+        if (result.size() >= limit && !amidCharacter) return result + "…";
+        if (byte < 0x20 || byte == 0x7f)
             result += fmt::format("\\x{:02x}", byte);
         else
             result += c;
