@@ -158,10 +158,12 @@ TEST(GltfMaterials, SayWhatOfThemIsNotShown) {
                              {"extensions",
                               {{"KHR_materials_clearcoat", {{"clearcoatFactor", 1}}},
                                {"KHR_materials_unlit", json::object()}}}});
+    b.doc["extensionsUsed"] = {"KHR_materials_clearcoat", "KHR_materials_unlit"};
     const Imported imported = import(b);
     EXPECT_EQ(imported.ignored("normalTexture of 2 materials is not shown"), 1);
     EXPECT_EQ(imported.ignored("alphaMode BLEND of 2 materials"), 1);
     EXPECT_EQ(imported.ignored("KHR_materials_clearcoat of 2 materials"), 1);
+    EXPECT_EQ(imported.ignored("KHR_materials_clearcoat"), 1);
     EXPECT_EQ(imported.ignored("KHR_materials_unlit of 2 materials"), 1);
 }
 
