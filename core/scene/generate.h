@@ -32,7 +32,7 @@ struct KnotRule {
 /// Closed mesh with unit normals; u runs along the tube and v around it, both once over [0, 1].
 TriangleMesh makeKnot(const KnotRule&);
 
-/// A ball of unit-free rules: where it lies, how large it is, and its turn among the materials.
+/// Where a ball lies, how large it is, and which in turn it is.
 struct Ball {
     DVec3 center;
     double radius;

@@ -1,5 +1,5 @@
 #pragma once
-// glTF 2.0 in and out.
+// glTF 2.0 in and out. assets/FORMAT.md says what is read, and what extras.eyeray adds.
 
 #include <cstddef>
 #include <filesystem>
