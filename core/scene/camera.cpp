@@ -22,6 +22,14 @@ struct Bearing {
     }
 };
 
+/// The camera's up, or another where that is along the view.
+DVec3 upFor(const Camera& camera, const DVec3& backward) {
+    constexpr double kParallel = 1e-6; // sine of the angle between up and view below which up says nothing
+    for (const DVec3& up : {safeNormalize(camera.up), DVec3(0, 1, 0)})
+        if (glm::length(glm::cross(up, backward)) >= kParallel) return up;
+    return {0, 0, backward.y > 0 ? -1 : 1};
+}
+
 Bearing bearingOf(const Camera& camera) {
     const CameraAxes axes = axesOf(camera);
     const double horizontal = std::hypot(axes.backward.x, axes.backward.z);
@@ -34,18 +42,10 @@ Bearing bearingOf(const Camera& camera) {
 }
 
 CameraAxes axesOf(const Camera& camera) {
-    constexpr double kParallel = 1e-6; // sine of the angle between up and view below which up says nothing
     DVec3 backward = safeNormalize(camera.eye - camera.target);
     if (backward == DVec3(0)) backward = DVec3(0, 0, 1);
-    const DVec3 beyondPole = DVec3(0, 0, backward.y > 0 ? -1 : 1);
-    for (const DVec3& up : {safeNormalize(camera.up), DVec3(0, 1, 0), beyondPole}) {
-        const DVec3 across = glm::cross(up, backward);
-        if (glm::length(across) < kParallel) continue;
-        const DVec3 right = safeNormalize(across);
-        return {right, glm::cross(backward, right), backward};
-    }
-    ENSURE(!"three directions that are not all parallel");
-    return {};
+    const DVec3 right = safeNormalize(glm::cross(upFor(camera, backward), backward));
+    return {right, glm::cross(backward, right), backward};
 }
 
 DVec2 imagePlaneHalfExtents(double verticalFov, double aspect) {

@@ -144,6 +144,7 @@ private:
 std::vector<int> exportTextures(GltfExport& context) {
     for (const Image& image : context.scene.images) exportImage(context, image);
     std::vector<int> result;
+    result.reserve(context.scene.textures.size());
     for (const Texture& texture : context.scene.textures) result.push_back(exportTexture(context, texture));
     return result;
 }

@@ -59,8 +59,8 @@ struct PlacedNode {
 /// A name fit for the screen: one line, not long; `fallback` where there is none.
 std::string nameOr(const std::string& name, const std::string& fallback);
 
-/// Shapes of KHR_implicit_shapes, by their index in the file; none for a kind that Eyeray does not have.
-std::vector<std::optional<int>> importShapes(GltfImport&);
+/// Shapes of KHR_implicit_shapes, by their index in the file; −1 for a kind that Eyeray does not have.
+std::vector<int> importShapes(GltfImport&);
 
 /// Fills Scene::materials with the file's, under the same indices, and the textures and images they use.
 void importMaterials(GltfImport&);
@@ -73,7 +73,7 @@ std::vector<std::vector<MeshPart>> importMeshes(GltfImport&);
 std::vector<PlacedNode> placeNodes(const GltfDocument&, GltfNotes&);
 
 /// Objects, lamps and cameras, in node order.
-void importNodes(GltfImport&, const std::vector<std::optional<int>>& shapes,
+void importNodes(GltfImport&, const std::vector<int>& shapes,
                  const std::vector<std::vector<MeshPart>>& meshes);
 
 /// The lamp of KHR_lights_punctual that a node names, or its area lamp in extras; none where it has none.

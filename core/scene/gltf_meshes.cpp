@@ -86,9 +86,10 @@ private:
 
 std::vector<std::vector<MeshPart>> importMeshes(GltfImport& context) {
     MeshImport import(context);
+    const std::size_t count = context.document.model.meshes.size();
     std::vector<std::vector<MeshPart>> result;
-    for (std::size_t i = 0; i < context.document.model.meshes.size(); ++i)
-        result.push_back(import.partsOf(i));
+    result.reserve(count);
+    for (std::size_t i = 0; i < count; ++i) result.push_back(import.partsOf(i));
     return result;
 }
 

@@ -40,8 +40,7 @@ void importMesh(GltfImport& context, int mesh, const Object& prototype,
 
 /// The objects of a node. What glTF cannot say comes first: a mesh beside it is for other programs.
 void importObjects(GltfImport& context, const PlacedNode& placed, GltfFields& extras,
-                   const std::vector<std::optional<int>>& shapes,
-                   const std::vector<std::vector<MeshPart>>& meshes) {
+                   const std::vector<int>& shapes, const std::vector<std::vector<MeshPart>>& meshes) {
     const tinygltf::Node& node = context.document.model.nodes[placed.node];
     Object object;
     object.name = nameOr(node.name, fmt::format("node {}", placed.node));
@@ -49,13 +48,14 @@ void importObjects(GltfImport& context, const PlacedNode& placed, GltfFields& ex
     object.visible = extras.flag("visible", true);
     const auto shape = extras.index("shape", shapes.size());
     const auto material = extras.index("material", context.scene.materials.size());
+    const int shown = shape ? shapes[*shape] : -1;
     GltfFields rule = extras.child("generate");
     if (shape || rule.present()) object.material = material ? *material : context.defaultMaterial();
 
     if (rule.present()) {
         importGenerated(context, rule, object);
-    } else if (shape && shapes[*shape]) {
-        object.geometry = ShapeId{*shapes[*shape]};
+    } else if (shown >= 0) {
+        object.geometry = ShapeId{shown};
         context.add(std::move(object));
     } else if (node.mesh >= 0) {
         importMesh(context, node.mesh, object, meshes, extras.where());
@@ -75,7 +75,7 @@ void importLights(GltfImport& context, const PlacedNode& placed, GltfFields& ext
 
 }
 
-void importNodes(GltfImport& context, const std::vector<std::optional<int>>& shapes,
+void importNodes(GltfImport& context, const std::vector<int>& shapes,
                  const std::vector<std::vector<MeshPart>>& meshes) {
     const auto& model = context.document.model;
     std::vector<CameraNode> cameras;

@@ -38,18 +38,18 @@ std::optional<Shape> readShape(GltfFields& fields) {
 
 }
 
-std::vector<std::optional<int>> importShapes(GltfImport& context) {
+std::vector<int> importShapes(GltfImport& context) {
     constexpr const char* kExtension = "KHR_implicit_shapes";
     GltfFields extension =
         extensionFields(context.document.model.extensions, kExtension, context.document.where, context.notes);
-    std::vector<std::optional<int>> result;
+    std::vector<int> result;
     for (GltfFields& fields : extension.children("shapes")) {
         const auto shape = readShape(fields);
         if (shape) {
-            result.emplace_back(static_cast<int>(context.scene.shapes.size()));
+            result.push_back(static_cast<int>(context.scene.shapes.size()));
             context.scene.shapes.push_back(*shape);
         } else {
-            result.emplace_back();
+            result.push_back(-1);
             context.notes.ignored(fields.where() + ": a shape of this type is not shown");
         }
     }
