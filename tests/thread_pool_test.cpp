@@ -2,6 +2,7 @@
 // The thread pool: each index once, stops, exceptions, storms, the float environment.
 
 #include <gtest/gtest.h>
+#include <sys/resource.h>
 #include <xmmintrin.h>
 
 #include <atomic>
@@ -74,7 +75,10 @@ TEST_P(ThreadPools, RethrowAnExceptionAndGoOn) {
 TEST_P(ThreadPools, SurviveAStormOfSmallLoops) {
     for (int loop = 0; loop < 5000; ++loop) {
         std::array<int, 3> values{}; // written by the threads, read by this one
-        pool_.forEach(3, {}, [&](int i) { values[static_cast<std::size_t>(i)] = loop + i; });
+        pool_.forEach(3, {}, [&](int i) {
+            values[static_cast<std::size_t>(i)] = loop + i;
+            std::this_thread::yield(); // lets the others in
+        });
         ASSERT_EQ(std::accumulate(values.begin(), values.end(), 0), 3 * loop + 3);
     }
 }
@@ -90,6 +94,19 @@ TEST_P(ThreadPools, CanBeStoppedAtAnyTime) {
         EXPECT_EQ(whole, calls == 100);
         EXPECT_GT(calls, round % 100) << "indices start in order";
     }
+}
+
+TEST_P(ThreadPools, StandBehindTheCallerInPriority) {
+    const std::thread::id caller = std::this_thread::get_id();
+    const int callers = getpriority(PRIO_PROCESS, 0);
+    std::barrier allAreHere(GetParam());
+    std::atomic<int> wrong = 0;
+    pool_.forEach(GetParam(), {}, [&](int) {
+        allAreHere.arrive_and_wait();
+        const int priority = getpriority(PRIO_PROCESS, 0), least = std::max(callers, 1);
+        if (std::this_thread::get_id() == caller ? priority != callers : priority < least) ++wrong;
+    });
+    EXPECT_EQ(wrong, 0);
 }
 
 TEST_P(ThreadPools, TraceInOneFloatEnvironmentAndGiveTheCallersBack) {

@@ -15,6 +15,10 @@ constexpr int kTracingNice = 5; // the UI thread stays at 0
 constexpr unsigned kFlushToZero = 0x8000, kDenormalsAreZero = 0x0040, kRoundingMask = 0x6000;
 }
 
+void lowerThreadPriority() {
+    setpriority(PRIO_PROCESS, 0, kTracingNice); // on Linux this means the calling thread
+}
+
 FloatEnvironment::FloatEnvironment() : saved_(_mm_getcsr()) {
     _mm_setcsr((saved_ & ~kRoundingMask) | kFlushToZero | kDenormalsAreZero);
 }
@@ -56,7 +60,7 @@ ThreadPool::~ThreadPool() {
 }
 
 void ThreadPool::work(const std::stop_token& end) {
-    setpriority(PRIO_PROCESS, 0, kTracingNice); // on Linux this means the calling thread
+    lowerThreadPriority();
     const FloatEnvironment environment;
     std::uint64_t seen = 0;
     while (true) {

@@ -10,9 +10,8 @@
 
 namespace eyeray {
 
-/// A fixed set of threads, all in the tracer's float environment (flush-to-zero, round to nearest) and below
-/// the caller's scheduling priority, so that a window stays responsive. `forEach` is called by one thread at
-/// a time.
+/// A fixed set of threads of lowered priority, all in the tracer's float environment (flush-to-zero, round to
+/// nearest). `forEach` is called by one thread at a time.
 class ThreadPool {
 public:
     /// `threads` in all, the calling thread of forEach included; 0 means one per core.
@@ -40,6 +39,9 @@ private:
     int busy_ = 0;
     std::vector<std::jthread> workers_;
 };
+
+/// Puts this thread behind those of normal priority, so that a window stays responsive.
+void lowerThreadPriority();
 
 /// Sets flush-to-zero, denormals-are-zero and round-to-nearest for this thread while it lives.
 class FloatEnvironment {
