@@ -16,6 +16,7 @@ std::uint64_t nextFilmId() {
 }
 
 Film::Film(int width, int height) : width_(width), height_(height), id_(nextFilmId()) {
+    ENSURE(width >= 1 && height >= 1);
     try {
         const auto count = static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
         for (auto& sum : sums_) sum.assign(count, DVec3(0));

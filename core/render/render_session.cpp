@@ -110,10 +110,9 @@ RenderStatus RenderSession::status() const {
     const auto& job = pending_ ? pending_ : (running_ ? running_ : last_);
     if (!job) return {};
     RenderStatus status = job->status;
-    status.passProgress =
-        status.phase == Phase::Finished
-            ? 1.0
-            : static_cast<double>(job->tilesDone) / std::max(1.0, static_cast<double>(job->order.size()));
+    status.passProgress = status.phase == Phase::Finished
+                              ? 1.0
+                              : static_cast<double>(job->tilesDone) / static_cast<double>(job->tilesInAll);
     return status;
 }
 
@@ -159,8 +158,8 @@ std::optional<Retrace> RenderSession::retrace(int x, int y, int pass) const {
     return job->integrator->retrace(*job->context, x, y, job->settings.firstPass + pass);
 }
 
+/// A film that no picture uses any more, or a new one.
 std::shared_ptr<Film> RenderSession::freeFilm(int width, int height) {
-    const std::scoped_lock lock(mutex_);
     std::erase_if(films_,
                   [&](const auto& film) { return film->width() != width || film->height() != height; });
     for (const auto& film : films_)
@@ -172,6 +171,7 @@ std::shared_ptr<Film> RenderSession::freeFilm(int width, int height) {
 }
 
 void RenderSession::coordinate(const std::stop_token& end) {
+    lowerThreadPriority();
     while (true) {
         std::shared_ptr<Job> job;
         {
@@ -203,12 +203,8 @@ void RenderSession::run(const std::shared_ptr<Job>& job) {
     job->film = freeFilm(job->settings.width, job->settings.height);
     job->order = tilesFrom(*job->film, job->focus);
     job->tilesInAll = job->film->tiles();
-    if (job->settings.coarse) {
-        const double pixels = static_cast<double>(job->settings.width) * job->settings.height;
-        int step = secondsPerPixel_ > 0 ? kFinestStep : kFirstStep;
-        while (step < kCoarsestStep && secondsPerPixel_ * pixels / (step * step) > kCoarseSeconds) step *= 2;
-        traceCoarse(*job, step);
-    }
+    const int step = coarseStep(job->settings);
+    if (job->settings.coarse) traceCoarse(*job, step);
     {
         const std::scoped_lock lock(mutex_);
         if (job->cancelled) return;
@@ -216,10 +212,19 @@ void RenderSession::run(const std::shared_ptr<Job>& job) {
         job->status.phase = Phase::Refining;
         job->status.secondsToCoarse = secondsSince(job->asked);
     }
-    if (job->settings.coarse) traceCoarse(*job, kFinestStep);
+    if (job->settings.coarse && step > kFinestStep) traceCoarse(*job, kFinestStep);
     int pass = 0;
     while (!finished(*job) && waitWhilePaused(*job))
         if (tracePass(*job, pass)) ++pass;
+}
+
+/// Block size of a coarse picture that takes no longer than kCoarseSeconds, by how long the last one took.
+int RenderSession::coarseStep(const RenderSettings& settings) const {
+    if (secondsPerPixel_ <= 0) return kFirstStep;
+    const double all = secondsPerPixel_ * settings.width * settings.height;
+    int step = kFinestStep;
+    while (step < kCoarsestStep && all / (step * step) > kCoarseSeconds) step *= 2;
+    return step;
 }
 
 void RenderSession::traceCoarse(Job& job, int step) {
@@ -238,9 +243,8 @@ void RenderSession::traceCoarse(Job& job, int step) {
         const TileResult result = job.integrator->renderTile(context, tile, job.settings.firstPass);
         if (result.complete) job.film->preview(index, result);
     });
-    if (!whole) return;
+    if (!whole || context.stop.stop_requested()) return; // its time would say nothing
     const double pixels = static_cast<double>(job.settings.width) * job.settings.height / (step * step);
-    const std::scoped_lock lock(mutex_);
     secondsPerPixel_ = secondsSince(start) / pixels;
 }
 

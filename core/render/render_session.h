@@ -78,6 +78,7 @@ private:
     struct Job;
     void coordinate(const std::stop_token& end);
     void run(const std::shared_ptr<Job>&);
+    int coarseStep(const RenderSettings&) const;
     void traceCoarse(Job&, int step);
     bool tracePass(Job&, int pass);
     bool waitWhilePaused(Job&);
@@ -87,13 +88,14 @@ private:
     ThreadPool pool_;
     DVec2 focus_{-1};
 
+    std::vector<std::shared_ptr<Film>> films_; // of the coordinator alone
+    double secondsPerPixel_ = 0;               // likewise: of tracing, on all threads; as last measured
+
     mutable std::mutex mutex_; // of all below
     std::condition_variable_any changed_;
     std::shared_ptr<Job> pending_, running_; // to be traced next, being traced
     std::shared_ptr<Job> shown_, last_;      // whose picture read() shows; the last that ended
-    std::vector<std::shared_ptr<Film>> films_;
     bool paused_ = false;
-    double secondsPerPixel_ = 0; // of tracing, on all threads; as last measured
 
     std::jthread coordinator_;
 };
