@@ -38,15 +38,16 @@ double gradientNoise(double x, double z, std::uint32_t seed) {
     return std::lerp(near, far, v);
 }
 
-/// Hills in about [−1, 1] over the unit square: each octave half as high and twice as fine.
+/// Hills in about [−1, 1] over the unit square; each octave is twice as fine and less than half as high, so
+/// that slopes get gentler as they get shorter.
 double hills(double x, double z, std::uint32_t seed) {
     constexpr int kOctaves = 7;
-    constexpr double kHillsAcross = 3;
+    constexpr double kHillsAcross = 3, kRoughness = 0.42;
     double sum = 0, amplitude = 1, frequency = kHillsAcross;
     for (int octave = 0; octave < kOctaves; ++octave) {
         sum += amplitude * gradientNoise(x * frequency, z * frequency,
                                          hashCombine(seed, static_cast<std::uint32_t>(octave)));
-        amplitude *= 0.5;
+        amplitude *= kRoughness;
         frequency *= 2;
     }
     return sum;
