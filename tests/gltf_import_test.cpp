@@ -122,7 +122,7 @@ TEST(GltfNodes, ShowTheDefaultSceneAndReportTheOthers) {
     const Imported imported = import(b);
     ASSERT_EQ(imported.scene.objects.size(), 1U);
     EXPECT_EQ(imported.scene.objects[0].name, "shown");
-    EXPECT_EQ(imported.ignored("1 more scenes"), 1);
+    EXPECT_EQ(imported.ignored("other scenes are not shown (1)"), 1);
 }
 
 TEST(GltfNodes, AreAllShownInAFileWithoutScenes) {
@@ -216,6 +216,16 @@ TEST(GltfScene, SaysItsAmbientItsSkyAndItsSettings) {
     EXPECT_TRUE(scene.lights.empty());
 }
 
+TEST(GltfScene, MaySetItsStateAndDoNothingElse) {
+    GltfBuilder b;
+    b.doc["scenes"][0]["extras"] =
+        eyeray({{"settings",
+                 {"screenshot path=/tmp/x.png", "set max-depth=2\nscreenshot", "setup", "set cutoff=0.1"}}});
+    const Imported imported = import(b);
+    EXPECT_EQ(imported.scene.settings, (std::vector<std::string>{"set cutoff=0.1"}));
+    EXPECT_EQ(imported.ignored("only set commands"), 3);
+}
+
 TEST(GltfScene, OfANewerEyerayIsRefused) {
     GltfBuilder b;
     b.doc["scenes"][0]["extras"] = eyeray({{"version", 2}});
@@ -299,8 +309,8 @@ TEST(GltfReport, ListsWhatIsNotShown) {
     b.doc["extensionsUsed"] = {"KHR_lights_punctual", "EXT_texture_webp"};
     b.doc["nodes"][0]["extras"] = {{"eyeray", {{"glitter", 1}}}, {"vendor", {{"anything", nullptr}}}};
     const Imported imported = import(b);
-    EXPECT_EQ(imported.ignored("1 animations"), 1);
-    EXPECT_EQ(imported.ignored("1 skins"), 1);
+    EXPECT_EQ(imported.ignored("animations are not shown (1)"), 1);
+    EXPECT_EQ(imported.ignored("skins are not shown (1)"), 1);
     EXPECT_EQ(imported.ignored("EXT_texture_webp"), 1);
     EXPECT_EQ(imported.ignored("KHR_lights_punctual"), 0);
     EXPECT_EQ(imported.ignored("glitter"), 1);

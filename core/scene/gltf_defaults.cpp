@@ -42,6 +42,12 @@ Light headlight() {
     return light;
 }
 
+/// A scene may bring up its state; what else commands can do, such as writing files, is not for it to ask.
+bool isSetting(const std::string& line) {
+    return line.starts_with("set ") &&
+           std::none_of(line.begin(), line.end(), [](unsigned char c) { return c < 0x20; });
+}
+
 constexpr Environment kPaleSky{{0.40F, 0.55F, 0.85F}, {0.80F, 0.85F, 0.90F}, {0.30F, 0.28F, 0.26F}};
 
 }
@@ -60,7 +66,11 @@ bool importSceneExtras(GltfImport& context) {
     scene.environment.zenith = sky.color("zenith", Color(0));
     scene.environment.horizon = sky.color("horizon", Color(0));
     scene.environment.nadir = sky.color("nadir", Color(0));
-    scene.settings = extras.texts("settings");
+    for (const std::string& line : extras.texts("settings"))
+        if (isSetting(line))
+            scene.settings.push_back(line);
+        else
+            context.notes.ignored(extras.where() + ": only set commands may stand in settings");
     scene.statesExposure =
         std::any_of(scene.settings.begin(), scene.settings.end(),
                     [](const std::string& line) { return line.find("exposure=") != std::string::npos; });

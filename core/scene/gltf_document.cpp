@@ -86,7 +86,7 @@ void takeImages(GltfDocument& result, json images) {
 void dropUnshown(json& document, GltfNotes& notes) {
     for (const char* const section : {"animations", "skins"})
         if (const std::size_t count = taken(document, section).size(); count > 0)
-            notes.ignored(fmt::format("{} {} are not shown, the scene stands still", count, section));
+            notes.ignored(fmt::format("{} are not shown ({}): the scene stands still", section, count));
 }
 
 tinygltf::Model toStructures(const json& document, const std::string& where) {

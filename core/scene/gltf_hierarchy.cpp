@@ -107,7 +107,7 @@ std::vector<PlacedNode> placeNodes(const GltfDocument& document, GltfNotes& note
     const std::vector<int> parents = parentsOf(document);
     checkDepths(document, parents);
     if (document.model.scenes.size() > 1)
-        notes.ignored(fmt::format("{} more scenes are not shown", document.model.scenes.size() - 1));
+        notes.ignored(fmt::format("other scenes are not shown ({})", document.model.scenes.size() - 1));
 
     std::vector<PlacedNode> placed, open;
     for (const int root : rootsOf(document, parents)) open.push_back({root, DMat4(1)});
