@@ -168,8 +168,8 @@ TEST(Whitted, ConstantWeightsReplaceFresnelAtEveryAngle) {
     settings.fresnel = FresnelMode::Exact;
     look(scene, {0, 0, 3}, {0, 0, 0});
     const Retrace exact = Tracing(scene, settings).retrace();
-    EXPECT_TRUE(isNear(exact.rays[1].weight, Color(0.25F + 0.5F * 0.04F), 1e-6F)) << "kr and Fresnel's share";
-    EXPECT_TRUE(isNear(exact.rays[2].weight, Color(0.5F * 0.96F), 1e-6F));
+    EXPECT_TRUE(isNear(exact.rays[1].weight, Color(0.75F * 0.04F), 1e-6F)) << "Fresnel divides kr + kt";
+    EXPECT_TRUE(isNear(exact.rays[2].weight, Color(0.75F * 0.96F), 1e-6F));
 }
 
 TEST(Whitted, MetalTintsItsMirrorImageButNotAtGrazingAngles) {

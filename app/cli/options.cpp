@@ -29,20 +29,17 @@ void addSwitchOff(CLI::App& app, PictureOptions& options, const std::string& key
         fmt::format("no {} rays", key.substr(0, key.size() - 1)));
 }
 
-void addStops(CLI::App& app, PictureOptions& options) {
-    for (const auto& [key, type, help] :
-         {std::tuple{"samples", "N", "stop after N samples per pixel"},
-          {"seconds", "S", "stop after S seconds"},
-          {"error", "E", "stop when the estimated error (0 to 1) is below E"}})
-        app.add_option_function<std::string>(
-               std::string("--") + key,
-               [&options, key = std::string(key)](const std::string& value) {
-                   options.commands.push_back({"set", {{key, value}}});
-                   options.stops = true;
-               },
-               help)
-            ->type_name(type)
-            ->trigger_on_parse();
+void addStop(CLI::App& app, PictureOptions& options, const std::string& key, const std::string& type,
+             const std::string& help) {
+    app.add_option_function<std::string>(
+           "--" + key,
+           [&options, key](const std::string& value) {
+               options.commands.push_back({"set", {{key, value}}});
+               options.stops = true;
+           },
+           help)
+        ->type_name(type)
+        ->trigger_on_parse();
 }
 
 void addPicture(CLI::App& app, PictureOptions& options) {
@@ -60,7 +57,9 @@ void addPicture(CLI::App& app, PictureOptions& options) {
     for (const char* kind : {"shadows", "reflections", "refractions"}) addSwitchOff(app, options, kind);
     addSetting(app, options, "fresnel", "NAME", "exact or constant weights at glass");
     addSetting(app, options, "glass-shadows", "NAME", "shadow rays at glass: opaque, straight or all");
-    addStops(app, options);
+    addStop(app, options, "samples", "N", "stop after N samples per pixel");
+    addStop(app, options, "seconds", "S", "stop after S seconds");
+    addStop(app, options, "error", "E", "stop when the estimated error (0 to 1) is below E");
     app.add_option("--first-pass", options.firstPass, "number of the first sample")
         ->check(CLI::Range(0, 1 << 24))
         ->type_name("K");

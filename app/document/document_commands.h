@@ -42,6 +42,7 @@ int itemIndex(const Command&, std::string_view key, const std::vector<std::strin
 template <class Items>
 int itemIndex(const Command& command, std::string_view key, const Items& items) {
     std::vector<std::string_view> names;
+    names.reserve(items.size());
     for (const auto& item : items) names.push_back(item.name);
     return detail::itemIndex(command, key, names);
 }

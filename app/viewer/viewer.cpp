@@ -130,7 +130,7 @@ bool Viewer::takeLoaded() {
         document.render = this->document().render;
         document.aspect = this->document().aspect;
     }
-    history_.emplace(std::move(document));
+    history_ = std::make_unique<History>(std::move(document));
     picked_.reset();
     int changes = 0;
     for (const auto& line : opened_.report.lines) changes += line.kind != ImportReport::Kind::Added ? 1 : 0;
@@ -196,7 +196,7 @@ bool Viewer::meterExposure() {
     const Command command("set", {{"exposure", toText(std::clamp(exposure, -20.0, 20.0))}});
     Document metered = apply(document(), command);
     opened_.document = metered;
-    history_.emplace(std::move(metered));
+    history_ = std::make_unique<History>(std::move(metered));
     report(Notice::Kind::Done, fmt::format("exposure metered once from the first picture: {} EV", exposure));
     return true;
 }

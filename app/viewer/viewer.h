@@ -34,7 +34,7 @@ struct PickedSample {
 struct Notice {
     enum class Kind : std::uint8_t { Done, Warning, Error } kind = Kind::Done;
     std::string text;
-    std::chrono::steady_clock::time_point time{};
+    std::chrono::steady_clock::time_point time;
 };
 
 /// Used by one thread. Nothing here waits for loading, building or tracing but finishJobs and
@@ -63,7 +63,7 @@ public:
     void watchFile();
 
     // what there is to show
-    bool hasScene() const { return history_.has_value(); }
+    bool hasScene() const { return history_ != nullptr; }
     const Document& document() const { return history_->document(); }
     bool canUndo() const { return history_ && history_->canUndo(); }
     bool canRedo() const { return history_ && history_->canRedo(); }
@@ -117,10 +117,10 @@ private:
     void traceAgain();
     Document fileDocument() const;
 
-    std::optional<History> history_;
+    std::unique_ptr<History> history_; // none before the first scene
     OpenedScene opened_;
-    std::filesystem::file_time_type fileTime_{};
-    std::chrono::steady_clock::time_point lastWatched_{};
+    std::filesystem::file_time_type fileTime_;
+    std::chrono::steady_clock::time_point lastWatched_;
 
     BackgroundJob<OpenedScene> loading_;
     std::string loadingName_;

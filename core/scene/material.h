@@ -21,8 +21,8 @@ struct TextureRef {
 
 enum class SpecularModel : std::uint8_t { Phong, BlinnPhong };
 
-/// The lectures' material. With kt > 0 it is a dielectric: exact Fresnel then reflects F (without tint) and
-/// refracts kt·(1 − F), both beside kr; with constant weights kr reflects and kt refracts.
+/// The lectures' material. With kt > 0 it is a dielectric: with constant weights kr reflects and kt refracts,
+/// as on the slides; exact Fresnel divides kr + kt anew at each angle.
 struct TaughtMaterial {
     Color ambient{0.2F};       // ka, times the scene's ambient light
     Color diffuse{0.8F};       // kd

@@ -29,31 +29,39 @@ Vec3 mirrorDirection(const ShadingPoint& p) {
     return glm::dot(direction, p.geometricNormal) > 0 ? direction : reflected(p.wo, p.geometricNormal);
 }
 
-/// kr at this angle: from normal to grazing incidence as the Fresnel reflectance of the material's η runs
-/// from F0 to 1.
-Color opaqueReflectivity(const Surface& surface, float cosine) {
+/// Mirror share at this angle: from normal to grazing incidence as the Fresnel reflectance of the material's
+/// η runs from F0 to 1.
+Color mirrorShare(const Surface& surface, float cosine) {
+    if (surface.normalReflectivity == surface.grazingReflectivity) return surface.normalReflectivity;
     const float root = (surface.ior - 1) / (surface.ior + 1);
     const float f0 = root * root;
     const float rise = f0 < 1 ? (fresnelDielectric(cosine, 1 / surface.ior) - f0) / (1 - f0) : 0;
-    return surface.reflectivity +
-           (surface.grazingReflectivity - surface.reflectivity) * std::fmax(rise, 0.0F);
+    return surface.normalReflectivity +
+           (surface.grazingReflectivity - surface.normalReflectivity) * std::fmax(rise, 0.0F);
 }
 
+/// Total internal reflection takes all that Fresnel's equations divide, whatever the weights.
 void addGlass(const World& world, const TraceSettings& settings, const ShadingPoint& p,
               const MediumStack& media, NextRays& next) {
+    const Surface& surface = p.surface;
     const Interface interface = interfaceAt(world, p, media);
     const float cosine = glm::dot(p.normal, p.wo);
     std::optional<Vec3> direction = refracted(p.wo, p.normal, interface.eta);
     if (direction && glm::dot(*direction, p.geometricNormal) >= 0)
         direction = refracted(p.wo, p.geometricNormal, interface.eta);
     next.totalReflection = !direction && p.object->solid;
-    float reflectance = next.totalReflection ? 1.0F : 0.0F;
-    if (settings.fresnel == FresnelMode::Exact && !next.totalReflection)
-        reflectance = fresnelDielectric(cosine, interface.eta);
-    next.reflectedShare += p.surface.dielectric * reflectance;
-    if (next.totalReflection) return;
+    if (next.totalReflection) {
+        next.reflectedShare = mirrorShare(surface, cosine) + surface.dielectric;
+        return;
+    }
+    if (settings.fresnel == FresnelMode::Exact) {
+        const float reflectance = fresnelDielectric(cosine, interface.eta);
+        next.reflectedShare += surface.dielectric * reflectance;
+        next.refractedShare = surface.refractable * (1 - reflectance);
+    } else {
+        next.refractedShare = surface.transmission;
+    }
     next.refraction = p.object->solid ? *direction : -p.wo;
-    next.refractedShare = p.surface.transmission * (1 - reflectance);
     next.refractedMedia = interface.beyond;
 }
 
@@ -62,8 +70,8 @@ void addGlass(const World& world, const TraceSettings& settings, const ShadingPo
 NextRays nextRays(const World& world, const TraceSettings& settings, const ShadingPoint& p,
                   const MediumStack& media) {
     NextRays next;
-    next.reflectedShare = settings.fresnel == FresnelMode::Exact && p.surface.reflects()
-                              ? opaqueReflectivity(p.surface, glm::dot(p.normal, p.wo))
+    next.reflectedShare = settings.fresnel == FresnelMode::Exact
+                              ? mirrorShare(p.surface, glm::dot(p.normal, p.wo))
                               : p.surface.reflectivity;
     if (p.surface.transmits()) addGlass(world, settings, p, media, next);
     if (!isBlack(next.reflectedShare)) next.reflection = mirrorDirection(p);
