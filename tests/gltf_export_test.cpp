@@ -1,4 +1,5 @@
 // labels: unit
+#include <filesystem>
 #include <fstream>
 
 #include <glm/gtc/matrix_transform.hpp>
@@ -242,6 +243,19 @@ TEST(GltfExport, HoldsTheObjectsThatWereGenerated) {
     b.root({{"extras", {{"eyeray", {{"generate", {{"type", "knot"}, {"triangles", 100}}}}}}}});
     const Scene scene = test::import(b).scene;
     expectSame(scene, reread(scene));
+}
+
+TEST(GltfExport, KeepsEveryBuiltInScene) {
+    int scenes = 0;
+    for (const auto& entry : std::filesystem::directory_iterator(EYERAY_SOURCE_DIR "/assets/scenes")) {
+        if (entry.path().extension() != ".gltf") continue;
+        SCOPED_TRACE(entry.path().filename());
+        ImportReport report;
+        const Scene scene = importGltf(entry.path(), report);
+        expectSame(scene, reread(scene));
+        ++scenes;
+    }
+    EXPECT_GE(scenes, 14);
 }
 
 }

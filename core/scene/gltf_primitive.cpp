@@ -149,18 +149,21 @@ private:
     }
 
     void readNormals() {
+        constexpr float kUnitError =
+            1e-6F; // what rounding leaves; such normals stay as they are, bit for bit
         mesh_.normals = read<Vec3>("NORMAL", {3});
         std::vector<DVec3> instead;
         std::size_t broken = 0;
         for (std::size_t i = 0; i < mesh_.normals.size(); ++i) {
-            DVec3 normal = safeNormalize(DVec3(mesh_.normals[i]));
-            if (normal == DVec3(0)) {
+            Vec3& normal = mesh_.normals[i];
+            if (std::fabs(glm::dot(normal, normal) - 1) < kUnitError) continue;
+            DVec3 direction = safeNormalize(DVec3(normal));
+            if (direction == DVec3(0)) {
                 if (instead.empty()) instead = normalsOfTriangles();
-                normal = safeNormalize(instead[i]);
+                direction = safeNormalize(instead[i]);
                 ++broken;
             }
-            mesh_.normals[i] =
-                normal == DVec3(0) ? Vec3(0, 1, 0) : Vec3(normal); // no triangle has an area here
+            normal = direction == DVec3(0) ? Vec3(0, 1, 0) : Vec3(direction); // no triangle has an area here
         }
         if (broken > 0)
             context_.notes.repaired(fmt::format(
