@@ -19,8 +19,8 @@ Film::Film(int width, int height) : width_(width), height_(height), id_(nextFilm
     ENSURE(width >= 1 && height >= 1);
     try {
         const auto count = static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
-        for (auto& sum : sums_) sum.assign(count, DVec3(0));
-        for (auto& square : squares_) square.assign(count, 0);
+        for (auto& sum : sums_) sum = std::make_unique_for_overwrite<DVec3[]>(count);
+        for (auto& square : squares_) square = std::make_unique_for_overwrite<double[]>(count);
         shown_ = ColorImage(width, height, Color(0));
     } catch (const std::bad_alloc&) {
         throw Failure(fmt::format("picture of {}x{}", width, height), "there is not enough memory",
@@ -104,7 +104,7 @@ ColorImage Film::mean(int passes) const {
     ENSURE(passes >= 1);
     ColorImage result(width_, height_);
     const auto& sum = sums_[static_cast<std::size_t>((passes - 1) & 1)];
-    for (std::size_t i = 0; i < sum.size(); ++i)
+    for (std::size_t i = 0; i < result.values().size(); ++i)
         result.values()[i] = Color(sum[i] / static_cast<double>(passes));
     return result;
 }

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <atomic>
+#include <memory>
 #include <mutex>
 #include <vector>
 
@@ -74,8 +75,10 @@ private:
     static constexpr std::size_t kMutexes = 64;
     int width_, height_;
     std::uint64_t id_;
-    std::array<std::vector<DVec3>, 2> sums_;
-    std::array<std::vector<double>, 2> squares_; // of luminance, likewise
+    // Not initialised: the first pass writes before anything reads, and a page that is not needed is not
+    // touched.
+    std::array<std::unique_ptr<DVec3[]>, 2> sums_;
+    std::array<std::unique_ptr<double[]>, 2> squares_; // of luminance, likewise
     ColorImage shown_;
     std::vector<TileState> tiles_;
     mutable std::array<std::mutex, kMutexes> mutexes_;
