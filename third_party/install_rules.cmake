@@ -9,4 +9,4 @@ configure_package_config_file(third_party/eyerayConfig.cmake.in eyerayConfig.cma
 write_basic_package_version_file(eyerayConfigVersion.cmake COMPATIBILITY SameMinorVersion)
 install(FILES ${CMAKE_CURRENT_BINARY_DIR}/eyerayConfig.cmake ${CMAKE_CURRENT_BINARY_DIR}/eyerayConfigVersion.cmake
   DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/eyeray)
-install(DIRECTORY assets/ DESTINATION ${CMAKE_INSTALL_DATADIR}/eyeray)
+install(DIRECTORY assets/ DESTINATION ${CMAKE_INSTALL_DATADIR}/eyeray PATTERN pictures EXCLUDE)

@@ -20,7 +20,7 @@ namespace {
 
 constexpr float kPresenterScale = 1.6F;
 constexpr float kPanelWidth = 23;      // in letters' heights
-constexpr float kLeastPicture = 0.35F; // of the window's width; panels give way
+constexpr float kLeastPicture = 0.55F; // of the window's width; panels give way
 
 constexpr ImGuiWindowFlags kFixed = ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize |
                                     ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoCollapse |

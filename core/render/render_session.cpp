@@ -302,7 +302,8 @@ bool RenderSession::finished(Job& job) {
         job.status.finishedBy = std::move(reason);
         return true;
     };
-    if (passes >= stop.samples) return finishedBy(fmt::format("{} samples", stop.samples));
+    if (passes >= stop.samples)
+        return finishedBy(fmt::format("{} sample{}", stop.samples, stop.samples == 1 ? "" : "s"));
     if (passes > 0 && stop.seconds > 0 && job.status.seconds >= stop.seconds)
         return finishedBy(fmt::format("{} s", stop.seconds));
     if (stop.error <= 0 || passes < kErrorPilot || passes % kErrorInterval != 0) return false;
