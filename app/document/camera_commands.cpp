@@ -13,7 +13,7 @@ constexpr double kTurn = 3600; // degrees
 void checked(const Document& document, const Command& command) {
     const Camera& camera = document.camera;
     if (!(camera.distance() > 0) || !isFinite(camera.eye) || !isFinite(camera.target) ||
-        glm::length(camera.eye) > kFar)
+        glm::length(camera.eye) > kFar || glm::length(camera.target) > kFar)
         throw InputError(command.text(), "the eye would stand in its target or too far away",
                          "move them apart, within 1e9 m");
 }

@@ -12,13 +12,14 @@ namespace eyeray {
 namespace {
 
 constexpr std::string_view kSpace = " \t\r";
+constexpr double kLargest = 1e9; // of positions in metres and of colours: floats hold it, and its square
 
 std::string quotedIfNeeded(const std::string& value) {
-    if (!value.empty() && value.find_first_of(" \t\"") == std::string::npos) return value;
+    if (!value.empty() && value.find_first_of(" \t\r\n\"") == std::string::npos) return value;
     std::string result = "\"";
     for (const char c : value) {
-        if (c == '"' || c == '\\') result += '\\';
-        result += c;
+        if (c == '"' || c == '\\' || c == '\n') result += '\\';
+        result += c == '\n' ? 'n' : c;
     }
     return result + '"';
 }
@@ -32,7 +33,7 @@ std::string takeWord(std::string_view& line) {
         if (line[i] == '"')
             quoted = !quoted;
         else if (quoted && line[i] == '\\' && i + 1 < line.size())
-            word += line[++i];
+            word += line[++i] == 'n' ? '\n' : line[i];
         else
             word += line[i];
     }
@@ -75,7 +76,11 @@ Command Command::parse(std::string_view line) {
         if (equals == std::string::npos || equals == 0)
             throw InputError(fmt::format("{} {}", command.name_, word),
                              "an argument without =", "write key=value");
-        command.arguments_.emplace_back(word.substr(0, equals), word.substr(equals + 1));
+        const std::string key = word.substr(0, equals);
+        if (command.find(key))
+            throw InputError(fmt::format("{} {}", command.name_, word), fmt::format("{} is given twice", key),
+                             "give it once");
+        command.arguments_.emplace_back(key, word.substr(equals + 1));
     }
     return command;
 }
@@ -122,17 +127,20 @@ std::optional<DVec3> Command::triple(std::string_view key) const {
     const auto text = find(key);
     if (!text) return std::nullopt;
     const auto values = numbers<3>(*text);
-    if (!values) refuse(*this, key, *text, "three numbers x,y,z");
+    if (!values ||
+        std::any_of(values->begin(), values->end(), [](double v) { return std::abs(v) > kLargest; }))
+        refuse(*this, key, *text, "three numbers x,y,z from -1e9 to 1e9");
     return DVec3((*values)[0], (*values)[1], (*values)[2]);
 }
 
 std::optional<Color> Command::color(std::string_view key) const {
     const auto text = find(key);
     if (!text) return std::nullopt;
-    if (const auto grey = toNumber(*text); grey && *grey >= 0) return Color(static_cast<float>(*grey));
+    const auto wrong = [](double v) { return v < 0 || v > kLargest; };
+    if (const auto grey = toNumber(*text); grey && !wrong(*grey)) return Color(static_cast<float>(*grey));
     const auto values = numbers<3>(*text);
-    if (!values || std::any_of(values->begin(), values->end(), [](double v) { return v < 0; }))
-        refuse(*this, key, *text, "three numbers r,g,b of 0 or more, or one for all");
+    if (!values || std::any_of(values->begin(), values->end(), wrong))
+        refuse(*this, key, *text, "three numbers r,g,b from 0 to 1e9, or one for all");
     return Color((*values)[0], (*values)[1], (*values)[2]);
 }
 
@@ -176,6 +184,13 @@ std::vector<Command> parseCommands(std::string_view text, const std::string& whe
 
 std::string toText(double value) { return fmt::format("{}", value == 0 ? 0.0 : value); }
 std::string toText(bool value) { return value ? "on" : "off"; }
+std::string degreesText(double radiansValue) {
+    const double exact = degrees(radiansValue);
+    const double round = *toNumber(fmt::format("{:.12g}", exact));
+    for (const double value : {round, exact, std::nextafter(exact, 0.0), std::nextafter(exact, kInfinity)})
+        if (radians(value) == radiansValue) return toText(value);
+    return toText(exact);
+}
 std::string toText(const DVec3& v) { return fmt::format("{},{},{}", toText(v.x), toText(v.y), toText(v.z)); }
 std::string toText(const Color& c) { return fmt::format("{},{},{}", c.r, c.g, c.b); }
 

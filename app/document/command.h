@@ -12,7 +12,8 @@
 
 namespace eyeray {
 
-/// A command and its arguments, in the order given. A value with spaces is written in double quotes.
+/// A command and its arguments, in the order given. A value with spaces is written in double quotes; in them
+/// a backslash stands before a quote and a backslash, and \n is a new line.
 class Command {
 public:
     using Argument = std::pair<std::string, std::string>;
@@ -20,7 +21,7 @@ public:
     Command(std::string name, std::vector<Argument> arguments = {})
         : name_(std::move(name)), arguments_(std::move(arguments)) {}
 
-    /// Throws InputError if the line is empty or no `name key=value …`.
+    /// Throws InputError if the line is empty or no `name key=value …`, or has a key twice.
     static Command parse(std::string_view line);
     std::string text() const;
 
@@ -33,8 +34,8 @@ public:
     std::optional<double> number(std::string_view key, double lowest, double highest) const;
     std::optional<int> integer(std::string_view key, int lowest, int highest) const;
     std::optional<bool> flag(std::string_view key) const;    // on off
-    std::optional<DVec3> triple(std::string_view key) const; // x,y,z
-    std::optional<Color> color(std::string_view key) const;  // r,g,b, each 0 or more, or one number for all
+    std::optional<DVec3> triple(std::string_view key) const; // x,y,z, each within ±1e9
+    std::optional<Color> color(std::string_view key) const;  // r,g,b, each 0 to 1e9, or one number for all
     std::optional<int> choice(std::string_view key,
                               std::span<const std::string_view> names) const; // its index
 
@@ -60,6 +61,9 @@ std::string toText(double value);
 std::string toText(bool value);
 std::string toText(const DVec3& value);
 std::string toText(const Color& value);
+
+/// An angle in degrees that radians() turns into the same bits, if any does.
+std::string degreesText(double radians);
 
 /// A finite number that takes up the whole text, or nothing.
 std::optional<double> toNumber(std::string_view text);

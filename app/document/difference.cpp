@@ -1,6 +1,9 @@
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "app/document/document.h"
+#include "app/document/document_commands.h"
 #include "app/document/settings.h"
 
 namespace eyeray {
@@ -54,9 +57,8 @@ Arguments shapeArguments(const LampShape& shape) {
         Arguments operator()(const PointLamp&) const { return {{"type", "point"}}; }
         Arguments operator()(const DirectionalLamp&) const { return {{"type", "directional"}}; }
         Arguments operator()(const SpotLamp& s) const {
-            return {{"type", "spot"},
-                    {"outer", toText(degrees(s.outerCone))},
-                    {"inner", toText(degrees(s.innerCone))}};
+            return {
+                {"type", "spot"}, {"outer", degreesText(s.outerCone)}, {"inner", degreesText(s.innerCone)}};
         }
         Arguments operator()(const RectangleLamp& r) const {
             return {{"type", "rectangle"}, {"width", toText(r.width)}, {"height", toText(r.height)}};
@@ -68,15 +70,26 @@ Arguments shapeArguments(const LampShape& shape) {
     return std::visit(Describe{}, shape);
 }
 
+Arguments changes(const LampShape& from, const LampShape& to) {
+    const Arguments before = shapeArguments(from);
+    Arguments changed = shapeArguments(to);
+    if (from.index() == to.index())
+        std::erase_if(changed, [&](const Command::Argument& argument) {
+            return std::find(before.begin(), before.end(), argument) != before.end();
+        });
+    return changed;
+}
+
 Arguments changes(const Light& from, const Light& to) {
-    Arguments changed;
-    if (shapeArguments(from.shape) != shapeArguments(to.shape)) changed = shapeArguments(to.shape);
+    Arguments changed = changes(from.shape, to.shape);
     ifChanged(changed, "enabled", from.enabled, to.enabled);
     ifChanged(changed, "falloff", from.falloff, to.falloff);
     ifChanged(changed, "color", from.color, to.color);
     ifChanged(changed, "intensity", from.intensity, to.intensity);
     ifChanged(changed, "position", DVec3(from.transform[3]), DVec3(to.transform[3]));
-    ifChanged(changed, "direction", -DVec3(from.transform[2]), -DVec3(to.transform[2]));
+    // of two lamps with one direction, one may still be turned about it
+    if (DMat3(from.transform) != DMat3(to.transform))
+        changed.emplace_back("direction", toText(-DVec3(to.transform[2])));
     return changed;
 }
 
@@ -124,21 +137,31 @@ Arguments changes(const Material& from, const Material& to) {
         to.model);
 }
 
-/// Lamps are removed and added at the end only; from the first that does not keep its name on, all are made
-/// anew.
+/// Which of `from` the first lamps of `to` are: edits keep the order, and new lamps come last.
+std::vector<std::size_t> keptLights(const std::vector<Light>& from, const std::vector<Light>& to) {
+    std::vector<std::size_t> kept;
+    for (std::size_t i = 0; i < from.size() && kept.size() < to.size(); ++i) {
+        const Light& next = to[kept.size()];
+        if (from[i].name == next.name && from[i].range == next.range &&
+            from[i].followsCamera == next.followsCamera)
+            kept.push_back(i);
+    }
+    return kept;
+}
+
 void addLightChanges(std::vector<Command>& commands, const std::vector<Light>& from,
                      const std::vector<Light>& to) {
-    std::size_t kept = 0;
-    while (kept < from.size() && kept < to.size() && from[kept].name == to[kept].name) ++kept;
-    for (std::size_t i = from.size(); i > kept; --i)
-        commands.push_back({"remove-light", {{"light", fmt::format("{}", i - 1)}}});
-    for (std::size_t i = kept; i < to.size(); ++i) commands.push_back({"add-light", {{"name", to[i].name}}});
+    const std::vector<std::size_t> kept = keptLights(from, to);
+    for (std::size_t i = from.size(); i-- > 0;)
+        if (!std::binary_search(kept.begin(), kept.end(), i))
+            commands.push_back({"remove-light", {{"light", fmt::format("{}", i)}}});
+    for (std::size_t i = kept.size(); i < to.size(); ++i)
+        commands.push_back({"add-light", {{"name", to[i].name}}});
     for (std::size_t i = 0; i < to.size(); ++i) {
-        Light added;
-        added.name = to[i].name;
-        added.transform = DMat4(0);
-        addChanged(commands, "light", "light", fmt::format("{}", i),
-                   changes(i < kept ? from[i] : added, to[i]));
+        Light before = i < kept.size() ? from[kept[i]] : addedLight(to[i].name);
+        if (i >= kept.size())
+            before.transform *= std::numeric_limits<double>::quiet_NaN(); // differs from all
+        addChanged(commands, "light", "light", fmt::format("{}", i), changes(before, to[i]));
     }
 }
 

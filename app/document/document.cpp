@@ -59,12 +59,12 @@ Scene& editableScene(Document& document) {
 int detail::itemIndex(const Command& command, std::string_view key,
                       const std::vector<std::string_view>& names) {
     const std::string wanted = command.required(key);
-    const auto named = std::find(names.begin(), names.end(), wanted);
-    if (named != names.end()) return static_cast<int>(named - names.begin());
     const auto number = toNumber(wanted);
     if (number && *number >= 0 && *number < static_cast<double>(names.size()) &&
         *number == std::floor(*number))
         return static_cast<int>(*number);
+    const auto named = std::find(names.begin(), names.end(), wanted);
+    if (named != names.end()) return static_cast<int>(named - names.begin());
     throw InputError(fmt::format("{} {}={}", command.name(), key, wanted),
                      fmt::format("there is no such {}", key),
                      names.empty() ? fmt::format("the scene has no {}", key)

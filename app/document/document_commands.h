@@ -28,9 +28,12 @@ std::span<const DocumentCommand> objectCommands();    // select object move
 std::span<const DocumentCommand> lightCommands();     // light add-light remove-light ambient environment
 std::span<const DocumentCommand> materialCommands();  // material
 
-/// Index from `key=`: a number, or the name of one of `items`. Throws InputError if there is none.
+/// Index from `key=`: a number, else the name of one of `items`. Throws InputError if there is none.
 template <class Items>
 int itemIndex(const Command&, std::string_view key, const Items& items);
+
+/// A lamp as add-light makes it, but for its place.
+Light addedLight(std::string name);
 
 /// A copy of the document's scene to edit; it becomes the document's scene.
 Scene& editableScene(Document&);

@@ -29,9 +29,11 @@ LampShape lampShape(int kind) {
     }
 }
 
-/// Rotation whose −z is `direction`, with the position kept.
+/// Rotation whose −z is `direction`, with the position kept. A unit vector is taken as it stands, so that a
+/// direction written and read again gives the same bits.
 void pointAlong(DMat4& transform, const DVec3& direction, const Command& command) {
-    const DVec3 z = -safeNormalize(direction);
+    const bool unit = std::abs(glm::dot(direction, direction) - 1) < 1e-14;
+    const DVec3 z = unit ? -direction : -safeNormalize(direction);
     if (glm::length(z) == 0)
         throw InputError(command.text(), "the direction is zero", "give a direction such as 0,-1,0");
     const DVec3 x = safeNormalize(glm::cross(std::abs(z.y) < 0.99 ? DVec3(0, 1, 0) : DVec3(1, 0, 0), z));
@@ -78,10 +80,7 @@ void addLight(Document& document, const Command& command) {
     if (document.scene->lights.size() >= kMostLights)
         throw InputError(command.text(), "the scene has 1000 lamps already", "remove one first");
     Scene& scene = editableScene(document);
-    Light added;
-    added.falloff = false;
-    added.intensity = 0.5;
-    added.name = command.find("name").value_or(fmt::format("lamp {}", scene.lights.size() + 1));
+    Light added = addedLight(command.find("name").value_or(fmt::format("lamp {}", scene.lights.size() + 1)));
     const SceneBounds bounds = boundsOf(scene);
     added.transform[3] = DVec4(bounds.center() + DVec3(0, bounds.radius(), 0), 1);
     pointAlong(added.transform, DVec3(0, -1, 0), command);
@@ -122,6 +121,14 @@ constexpr std::array kCommands = {
     DocumentCommand{"environment", "zenith=r,g,b horizon=r,g,b nadir=r,g,b", "Sets the sky.", environment},
 };
 
+}
+
+Light addedLight(std::string name) {
+    Light light;
+    light.name = std::move(name);
+    light.falloff = false;
+    light.intensity = 0.5;
+    return light;
 }
 
 std::span<const DocumentCommand> lightCommands() { return kCommands; }

@@ -73,7 +73,7 @@ struct Aspect {
 };
 
 struct Fov {
-    static std::string get(const Document& d) { return toText(degrees(d.camera.verticalFov)); }
+    static std::string get(const Document& d) { return degreesText(d.camera.verticalFov); }
     static void set(Document& d, const Command& c, std::string_view key) {
         d.camera.verticalFov = radians(*c.number(key, 1, 170));
     }

@@ -19,7 +19,7 @@ struct Setting {
 
 std::span<const Setting> settings();
 
-/// Throws InputError naming the nearest known keys.
+/// Throws InputError naming the known keys.
 const Setting& settingNamed(std::string_view key);
 
 }
