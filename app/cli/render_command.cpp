@@ -100,14 +100,21 @@ nlohmann::json statistics(const OpenedScene& opened, const World& world, const R
 
 }
 
+void checkOutput(const std::filesystem::path& output) {
+    formatOf(output);
+    const std::filesystem::path folder = output.parent_path();
+    if (!folder.empty() && !std::filesystem::is_directory(folder))
+        throw Failure(output.string(), "there is no such folder", "make it first");
+}
+
 OpenedScene openFor(const PictureOptions& options) {
     OpenedScene opened = openScene(options.scene);
-    for (const Command& command : options.commands) opened.document = apply(opened.document, command);
+    applyTo(opened, options.commands);
     return opened;
 }
 
 int run(const RenderOptions& options) {
-    formatOf(options.output); // a wrong ending is said before the work
+    checkOutput(options.output);
     const OpenedScene opened = openFor(options.picture);
     Document document = opened.document;
     RenderSettings settings = document.render;
@@ -119,6 +126,7 @@ int run(const RenderOptions& options) {
                            [&](const Command& command) { return command.find(key).has_value(); });
     };
     if (!given("error")) settings.stop.error = 0;
+    if (!given("seconds")) settings.stop.seconds = 0;
     if (!options.picture.stops) settings.stop.samples = kDefaultSamples;
     if (options.picture.stops && !given("samples")) settings.stop.samples = 1 << 20;
 
@@ -136,8 +144,8 @@ int run(const RenderOptions& options) {
         fmt::print(stderr, "eyeray: interrupted before the first sample was whole: nothing is written\n");
         return 1;
     }
-    if (!opened.document.scene->statesExposure && !given("exposure"))
-        document.render.display.exposure = meteredExposure(image);
+    if (opened.meterExposure)
+        document.render.display.exposure = std::clamp(meteredExposure(image), -20.0, 20.0);
 
     PictureState state{opened.reference, opened.sha256, {}};
     for (const Command& command : commandsBetween(makeDocument(document.scene), document))

@@ -11,6 +11,10 @@ int run(const RenderOptions&);
 int run(const SnapshotOptions&);
 int run(const ScenesOptions&);
 
+/// Says before the work what would go wrong after it: throws InputError for a name that ends in no picture
+/// format, Failure if its folder is not there.
+void checkOutput(const std::filesystem::path& output);
+
 /// The options' scene, opened, with its options applied. Metering is left to the caller.
 OpenedScene openFor(const PictureOptions&);
 

@@ -18,18 +18,19 @@ class Snapshot {
 public:
     explicit Snapshot(const SnapshotOptions& options)
         : platform_(options.windowWidth, options.windowHeight), gui_(viewer_, platform_, Preferences{}) {
-        viewer_.openInBackground(options.picture.scene, options.picture.commands);
+        viewer_.show(openFor(options.picture));
         viewer_.finishJobs();
         settle();
     }
 
     /// Throws InputError with the command's message if it went wrong.
     void play(const Command& command) {
-        settle();
-        if (!gui_.execute(command))
-            throw InputError(command.text(), viewer_.notices().back().text, "correct the command");
+        gui_.execute(command);
         viewer_.finishJobs();
         settle();
+        for (const Notice& notice : viewer_.notices())
+            if (notice.kind == Notice::Kind::Error)
+                throw InputError("--play", notice.text, "correct the command");
     }
 
     void refine(int samples) { viewer_.finishRendering(samples); }
@@ -59,6 +60,7 @@ private:
 }
 
 int run(const SnapshotOptions& options) {
+    checkOutput(options.output);
     if (formatOf(options.output) != ImageFormat::Png)
         throw InputError(options.output.string(), "a snapshot is a PNG", "give a name that ends in .png");
     std::vector<Command> commands;

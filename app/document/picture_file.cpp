@@ -23,7 +23,7 @@ constexpr std::size_t kMostBytes = 512U << 20U;
 
 Metadata toMetadata(const PictureState& state, const fs::path& folder) {
     std::string scene = state.scene;
-    if (fs::path(scene).is_absolute()) {
+    if (scene.find_first_of("/.") != std::string::npos) { // else the name of a built-in scene
         std::error_code error;
         const fs::path relative = fs::relative(scene, folder.empty() ? fs::path(".") : folder, error);
         scene = error || relative.empty() ? fs::path(scene).filename().string() : relative.string();

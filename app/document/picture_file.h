@@ -13,12 +13,12 @@ namespace eyeray {
 
 /// What a picture says about its making: enough to return to exactly that state.
 struct PictureState {
-    std::string scene; // a built-in scene's name, or a path relative to the picture's folder
+    std::string scene; // a built-in scene's name, or a path; in a picture's text relative to its folder
     std::string sha256;
     std::vector<std::string> commands; // from the scene's defaults
 };
 
-/// As text for a picture's metadata. An absolute scene path is made relative to `folder`.
+/// As text for a picture's metadata. The scene's path is made relative to `folder`, where the picture stands.
 Metadata toMetadata(const PictureState&, const std::filesystem::path& folder);
 
 /// Throws InputError if the file is no picture of Eyeray.

@@ -38,6 +38,7 @@ OpenedScene openFile(const fs::path& path, const std::string& reference, const s
     opened.path = path;
     opened.reference = reference;
     opened.document = makeDocument(std::make_shared<const Scene>(importGltf(path, opened.report, stop)));
+    opened.meterExposure = !opened.document.scene->statesExposure;
     opened.sha256 = sha256HexOfFile(path);
     opened.loadSeconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     return opened;
@@ -45,22 +46,20 @@ OpenedScene openFile(const fs::path& path, const std::string& reference, const s
 
 OpenedScene openPicture(const fs::path& picture, const std::stop_token& stop) {
     const PictureState state = readPictureState(picture);
-    fs::path scene = builtinPath(state.scene);
-    if (scene.empty()) {
-        const fs::path beside = picture.parent_path() / state.scene, here = state.scene;
-        std::error_code error;
-        scene = fs::exists(beside, error) ? beside : here;
-        if (!fs::exists(scene, error))
-            throw InputError(picture.string(), fmt::format("its scene {} is missing", state.scene),
-                             "put the scene file beside the picture");
-    }
-    OpenedScene opened = openFile(scene, state.scene, stop);
+    const fs::path builtin = builtinPath(state.scene), file = picture.parent_path() / state.scene;
+    std::error_code error;
+    if (builtin.empty() && !fs::exists(file, error))
+        throw InputError(picture.string(), fmt::format("its scene {} is missing", state.scene),
+                         "put the scene file back where it was, as seen from the picture");
+    OpenedScene opened =
+        builtin.empty() ? openFile(file, file.string(), stop) : openFile(builtin, state.scene, stop);
     if (opened.sha256 != state.sha256)
         opened.report.lines.push_back(
             {ImportReport::Kind::Repaired,
              fmt::format("{} has changed since the picture was made: it may look different", state.scene)});
     for (const std::string& line : state.commands)
         opened.document = apply(opened.document, Command::parse(line));
+    opened.meterExposure = false;
     return opened;
 }
 
@@ -97,6 +96,19 @@ OpenedScene openScene(const std::string& nameOrPath, const std::stop_token& stop
                    [](unsigned char c) { return std::tolower(c); });
     if (extension == ".png") return openPicture(path, stop);
     return openFile(path, nameOrPath, stop);
+}
+
+std::string lastingReference(const OpenedScene& opened) {
+    if (opened.path == builtinPath(opened.reference)) return opened.reference;
+    std::error_code error;
+    return fs::absolute(opened.path, error).lexically_normal().string();
+}
+
+void applyTo(OpenedScene& opened, const std::vector<Command>& commands) {
+    for (const Command& command : commands) {
+        opened.document = apply(opened.document, command);
+        if (command.name() == "set" && command.find("exposure")) opened.meterExposure = false;
+    }
 }
 
 }

@@ -30,13 +30,20 @@ struct OpenedScene {
     Document document;
     ImportReport report;
     std::filesystem::path path;
-    std::string reference; // a built-in scene's name, else the path as it was given
-    std::string sha256;    // of the file
+    std::string reference;      // a built-in scene's name, else its path
+    bool meterExposure = false; // from the first picture, for nothing has stated one
+    std::string sha256;         // of the file
     double loadSeconds = 0;
 };
 
 /// Opens a built-in scene by name, a glTF file, or a picture that Eyeray made: then the picture's scene in
 /// the picture's state, with a line in the report if the scene has changed since. Throws InputError.
 OpenedScene openScene(const std::string& nameOrPath, const std::stop_token& stop = {});
+
+/// What openScene opens this scene by from any working folder.
+std::string lastingReference(const OpenedScene&);
+
+/// Applies commands as if the scene itself had asked for them.
+void applyTo(OpenedScene&, const std::vector<Command>&);
 
 }

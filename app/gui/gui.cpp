@@ -62,7 +62,7 @@ bool Gui::execute(const Command& command, const std::string& gesture) {
 
 void Gui::frame() {
     for (const auto& file : platform_.takeDroppedFiles()) execute({"open", {{"scene", file.string()}}});
-    if (viewer_.hasScene() && !viewer_.loading()) preferences_.remember(viewer_.opened().reference);
+    if (viewer_.hasScene() && !viewer_.loading()) preferences_.remember(lastingReference(viewer_.opened()));
     widgets_.clear();
     const Widgets ui{
         viewer_, preferences_.dark, platform_.scale(),

@@ -8,15 +8,16 @@ namespace {
 
 constexpr int kMostRows = 64;
 
+/// The record may be of the scene before an edit, until the picture of the new one is there.
+template <class Items>
+std::string nameOf(const Items& items, int index) {
+    const auto i = static_cast<std::size_t>(index);
+    return index >= 0 && i < items.size() ? items[i].name : std::string("a lamp");
+}
+
 std::string endOf(const RayRecord& ray, const Scene& scene) {
-    const auto objectName = [&] {
-        return ray.object >= 0 ? scene.objects[static_cast<std::size_t>(ray.object)].name
-                               : std::string("a lamp");
-    };
-    const auto lampName = [&] {
-        return ray.light >= 0 ? scene.lights[static_cast<std::size_t>(ray.light)].name
-                              : std::string("a lamp");
-    };
+    const auto objectName = [&] { return nameOf(scene.objects, ray.object); };
+    const auto lampName = [&] { return nameOf(scene.lights, ray.light); };
     switch (ray.end) {
     case RayEnd::Hit:
         return ray.totalReflection ? objectName() + " (total reflection)" : objectName();

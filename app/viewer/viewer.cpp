@@ -33,7 +33,6 @@ bool Viewer::execute(const Command& command, const std::string& gesture) {
         report(Notice::Kind::Error, error.what());
         return false;
     }
-    if (onExecuted) onExecuted(command);
     return true;
 }
 
@@ -63,7 +62,9 @@ void Viewer::traceAgain() {
     const PixelPosition pixel = *document().pixel;
     auto trace = session_->retrace(pixel.x, pixel.y, 0);
     if (!trace) return;
-    const int object = trace->rays.empty() ? -1 : trace->rays.front().object;
+    int object = trace->rays.empty() ? -1 : trace->rays.front().object;
+    // the picture may still be that of the scene before
+    if (object >= static_cast<int>(document().scene->objects.size())) object = -1;
     picked_ = PickedSample{pixel, std::move(*trace), object};
 }
 
@@ -83,7 +84,7 @@ bool Viewer::update() {
     });
     const bool loaded = takeLoaded();
     const bool built = takeBuilt();
-    if (!hasScene()) return loaded;
+    if (!hasScene()) return loaded || loading();
     if (document().scene != builtScene_ || !(document().build == builtSettings_)) startBuilding();
     const bool started = startRendering();
     const bool metered = meterExposure();
@@ -100,7 +101,7 @@ void Viewer::openInBackground(const std::string& nameOrPath, std::vector<Command
     keepView_ = false;
     loading_.start([nameOrPath, commands = std::move(commands)](const std::stop_token& stop) {
         OpenedScene opened = openScene(nameOrPath, stop);
-        for (const Command& command : commands) opened.document = apply(opened.document, command);
+        applyTo(opened, commands);
         return opened;
     });
 }
@@ -120,17 +121,24 @@ bool Viewer::takeLoaded() {
         return true;
     }
     if (!opened) return false;
-    opened_ = std::move(*opened);
+    show(std::move(*opened));
+    return true;
+}
+
+void Viewer::show(OpenedScene opened) {
+    opened_ = std::move(opened);
     std::error_code error;
     fileTime_ = std::filesystem::last_write_time(opened_.path, error);
-    Document document = opened_.document;
-    meter_ = !document.scene->statesExposure && !keepView_;
+    std::optional<Document> kept;
     if (keepView_ && hasScene()) {
-        document.camera = this->document().camera;
-        document.render = this->document().render;
-        document.aspect = this->document().aspect;
+        kept = document();
+        kept->scene = opened_.document.scene;
+        kept->selectedObject = -1;
     }
-    history_ = std::make_unique<History>(std::move(document));
+    keepView_ = false;
+    meter_ = opened_.meterExposure && !kept;
+    history_ = std::make_unique<History>(opened_.document);
+    if (kept) history_->change(std::move(*kept));
     picked_.reset();
     int changes = 0;
     for (const auto& line : opened_.report.lines) changes += line.kind != ImportReport::Kind::Added ? 1 : 0;
@@ -138,7 +146,6 @@ bool Viewer::takeLoaded() {
         report(Notice::Kind::Warning,
                fmt::format("{}: {} parts of the file are not shown as it says: see the import report",
                            opened_.reference, changes));
-    return true;
 }
 
 void Viewer::startBuilding() {
@@ -192,11 +199,13 @@ bool Viewer::meterExposure() {
     meter_ = false;
     const ColorImage image = session_->image();
     if (image.empty()) return false;
-    const double exposure = std::round(meteredExposure(image) * 10) / 10;
-    const Command command("set", {{"exposure", toText(std::clamp(exposure, -20.0, 20.0))}});
-    Document metered = apply(document(), command);
-    opened_.document = metered;
-    history_ = std::make_unique<History>(std::move(metered));
+    const double exposure = std::clamp(std::round(meteredExposure(image) * 10) / 10, -20.0, 20.0);
+    const Command command("set", {{"exposure", toText(exposure)}});
+    const bool edited = canUndo();
+    const Document metered = apply(document(), command);
+    opened_.document = apply(opened_.document, command);
+    history_ = std::make_unique<History>(edited ? opened_.document : metered);
+    if (edited) history_->change(metered);
     report(Notice::Kind::Done, fmt::format("exposure metered once from the first picture: {} EV", exposure));
     return true;
 }
@@ -209,9 +218,7 @@ void Viewer::watchFile() {
     const auto time = std::filesystem::last_write_time(opened_.path, error);
     if (error || time == fileTime_) return;
     fileTime_ = time;
-    startLoading(opened_.path == std::filesystem::path(opened_.reference) ? opened_.reference
-                                                                          : opened_.path.string(),
-                 true);
+    startLoading(opened_.reference, true);
     report(Notice::Kind::Done, fmt::format("{} has changed on disk: loaded again", opened_.reference));
 }
 
@@ -246,6 +253,7 @@ Scene Viewer::sceneToSave() const {
     Document bare;
     bare.scene = now.scene;
     bare.camera = now.camera;
+    bare.aspect = now.camera.aspect;
     bare.render.stop = now.render.stop;
     bare.threads = now.threads;
     scene.settings.clear();
@@ -266,14 +274,10 @@ void Viewer::finishJobs() {
 
 void Viewer::finishRendering(int samples) {
     finishJobs();
-    if (!hasScene() || !world_ || width_ <= 0 || height_ <= 0) return;
-    while (true) {
-        const RenderStatus now = session_->status();
-        if (now.phase == RenderStatus::Phase::Finished || now.phase == RenderStatus::Phase::Failed ||
-            now.phase == RenderStatus::Phase::Paused || now.samples >= samples)
-            break;
+    if (!hasScene()) return;
+    while (session_->status().active() && session_->status().samples < samples) {
         session_->wait(kShortWait);
-        if (update()) finishJobs();
+        finishJobs();
     }
     update();
 }

@@ -5,7 +5,6 @@
 #include <chrono>
 #include <deque>
 #include <filesystem>
-#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -30,7 +29,8 @@ struct PickedSample {
     int object = -1; // what the eye ray hit
 };
 
-/// A line for the person in front: what has been done, or what went wrong.
+/// A line for the person in front: what has been done, or what went wrong. Errors stay until they are
+/// dismissed.
 struct Notice {
     enum class Kind : std::uint8_t { Done, Warning, Error } kind = Kind::Done;
     std::string text;
@@ -45,6 +45,9 @@ public:
 
     /// Opens a scene and then applies the commands to it, as if the scene itself had asked for them.
     void openInBackground(const std::string& nameOrPath, std::vector<Command> commands);
+
+    /// Shows a scene that has been opened already.
+    void show(OpenedScene);
 
     /// Carries out any command of the language: those that change the document, and those of
     /// viewerCommands(). What goes wrong becomes a notice, and nothing else changes; false then. `gesture` as
@@ -103,9 +106,6 @@ public:
     void finishJobs();
     /// Waits until the picture is finished or has `samples` whole passes.
     void finishRendering(int samples);
-
-    /// Told of each command that was carried out.
-    std::function<void(const Command&)> onExecuted;
 
 private:
     void change(Document, const std::string& gesture);
