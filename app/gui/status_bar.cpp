@@ -1,5 +1,7 @@
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "app/gui/panels.h"
 #include "app/gui/theme.h"
 
@@ -70,7 +72,7 @@ void noticesOverlay(const Widgets& ui, float right, float top) {
                      ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_AlwaysAutoResize |
                          ImGuiWindowFlags_NoNav | ImGuiWindowFlags_NoFocusOnAppearing |
                          ImGuiWindowFlags_NoSavedSettings);
-        ImGui::PushTextWrapPos(ImGui::GetFontSize() * 34);
+        ImGui::PushTextWrapPos(std::min(ImGui::GetFontSize() * 34, right - 2 * ImGui::GetFontSize()));
         const ImVec4 color = notice.kind == Notice::Kind::Done ? doneColor(ui.dark) : errorColor(ui.dark);
         ImGui::TextColored(color, "%s", notice.text.c_str());
         ImGui::PopTextWrapPos();
