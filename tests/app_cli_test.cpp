@@ -267,7 +267,9 @@ TEST_F(CommandLine, AnInterruptLeavesAWholePictureOrNone) {
         std::this_thread::sleep_for(std::chrono::milliseconds(700));
         process.interrupt();
         process.wait();
-        if (fs::exists(folder / "a.png")) EXPECT_EQ(picture("a.png").width(), 320);
+        if (fs::exists(folder / "a.png")) {
+            EXPECT_EQ(picture("a.png").width(), 320);
+        }
         for (const auto& entry : fs::directory_iterator(folder.path()))
             EXPECT_EQ(entry.path().string().find(".tmp"), std::string::npos) << entry.path();
         fs::remove(folder / "a.png");

@@ -89,19 +89,24 @@ public:
     }
 
     ByteImage picture() {
-        platform.moveMouse(1, platform.framebufferSize().height - 1); // hovers nothing
+        platform.moveMouse(1, static_cast<float>(platform.framebufferSize().height) - 1); // hovers nothing
         settle();
         return platform.screenshot();
     }
 
     const Document& document() const { return viewer.document(); }
 
+    std::vector<RayRecord> raysOf(int x, int y, int pass) {
+        const auto trace = viewer.session().retrace(x, y, pass);
+        return trace ? trace->rays : throw std::runtime_error("no picture");
+    }
+
     /// A pixel whose eye ray meets this object first.
     PixelPosition pixelOf(int object) {
         const PictureSize size = viewer.pictureSize();
         for (int y = 2; y < size.height; y += 4)
             for (int x = 2; x < size.width; x += 4)
-                if (viewer.session().retrace(x, y, 0)->rays.front().object == object) return {x, y};
+                if (raysOf(x, y, 0).front().object == object) return {x, y};
         throw std::runtime_error("the object is nowhere in the picture");
     }
 
@@ -110,10 +115,13 @@ public:
     Gui gui;
 };
 
-bool hasReflection(const Screen& screen, int x, int y) {
-    for (int pass = 0; pass < kSamples; ++pass)
-        for (const RayRecord& ray : const_cast<Screen&>(screen).viewer.session().retrace(x, y, pass)->rays)
-            if (ray.kind == RayKind::Reflection) return true;
+bool hasReflection(Screen& screen, int x, int y) {
+    for (int pass = 0; pass < kSamples; ++pass) {
+        const auto rays = screen.raysOf(x, y, pass);
+        if (std::any_of(rays.begin(), rays.end(),
+                        [](const RayRecord& ray) { return ray.kind == RayKind::Reflection; }))
+            return true;
+    }
     return false;
 }
 
@@ -148,15 +156,15 @@ TEST(Ui, DraggingMaxDepthSetsItAndIsOneStepOfUndo) {
     const WidgetRect slider = screen.rect("max-depth");
     const float y = (slider.y0 + slider.y1) / 2;
     screen.drag(0, {(slider.x0 + slider.x1) / 2, y}, {slider.x1 - 2, y});
-    EXPECT_EQ(screen.document().render.trace.maxDepth, 16);
+    EXPECT_EQ(screen.document().render.trace.maxDepth, kMaxDepth);
     screen.drag(0, {slider.x1 - 4, y}, {slider.x0 + 2, y});
     EXPECT_EQ(screen.document().render.trace.maxDepth, 0);
     screen.press("Ctrl+Z");
-    EXPECT_EQ(screen.document().render.trace.maxDepth, 16);
+    EXPECT_EQ(screen.document().render.trace.maxDepth, kMaxDepth);
     screen.press("Ctrl+Z");
     EXPECT_EQ(screen.document().render.trace.maxDepth, 5);
     screen.press("Ctrl+Shift+Z");
-    EXPECT_EQ(screen.document().render.trace.maxDepth, 16);
+    EXPECT_EQ(screen.document().render.trace.maxDepth, kMaxDepth);
 }
 
 TEST(Ui, AClickPicksThePixelAndSelectsItsObject) {
@@ -368,7 +376,7 @@ TEST(Ui, ClickingWhileAnotherSceneOpensPicksNothingThatIsNotThere) {
     const WidgetRect r = screen.rect("picture");
     for (int i = 0; i < 60; ++i) {
         const auto step = static_cast<float>(i) / 60;
-        screen.click({r.x0 + (r.x1 - r.x0) * step, r.y0 + (r.y1 - r.y0) * (0.4F + step / 2)});
+        screen.click(Point{r.x0 + (r.x1 - r.x0) * step, r.y0 + (r.y1 - r.y0) * (0.4F + step / 2)});
         if (i == 10) screen.viewer.finishJobs();
         EXPECT_LT(screen.document().selectedObject,
                   static_cast<int>(screen.document().scene->objects.size()));
