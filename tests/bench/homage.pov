@@ -44,7 +44,8 @@ polygon {
   finish { ambient 0.9 * 0.18 diffuse 0.9 }
 }
 
-// A glass ball with air inside.
+// A glass ball with air inside. Its reflectivity and transmission add up to 0.9, which Fresnel's equations divide;
+// shadow rays go through it with 0.9, in Eyeray with the transmission alone, 0.81: so its shadow is a little lighter.
 difference {
   sphere {
     <-0.75, 1.95, 1.2>, 1
