@@ -11,12 +11,13 @@
 
 namespace eyeray {
 namespace {
-constexpr int kTracingNice = 5; // the UI thread stays at 0
+constexpr int kTracingNice = 5; // above the UI thread's
 constexpr unsigned kFlushToZero = 0x8000, kDenormalsAreZero = 0x0040, kRoundingMask = 0x6000;
 }
 
 void lowerThreadPriority() {
-    setpriority(PRIO_PROCESS, 0, kTracingNice); // on Linux this means the calling thread
+    const int own = getpriority(PRIO_PROCESS, 0); // on Linux this means the calling thread
+    setpriority(PRIO_PROCESS, 0, own + kTracingNice);
 }
 
 FloatEnvironment::FloatEnvironment() : saved_(_mm_getcsr()) {

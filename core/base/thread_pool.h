@@ -40,7 +40,7 @@ private:
     std::vector<std::jthread> workers_;
 };
 
-/// Puts this thread behind those of normal priority, so that a window stays responsive.
+/// Puts this thread behind the one that made it, so that a window stays responsive.
 void lowerThreadPriority();
 
 /// Sets flush-to-zero, denormals-are-zero and round-to-nearest for this thread while it lives.
