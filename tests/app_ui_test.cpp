@@ -291,6 +291,24 @@ TEST(Ui, SpacePausesAndGoesOn) {
     EXPECT_EQ(screen.viewer.status().phase, RenderStatus::Phase::Finished);
 }
 
+TEST(Ui, AKeyHeldDownSwitchesOnceButGoesOnMovingThePixel) {
+    Screen screen;
+    const auto hold = [&](int key) {
+        screen.platform.key(key, true);
+        for (int frame = 0; frame < 60; ++frame) screen.play();
+        screen.platform.key(key, false);
+        screen.play();
+    };
+    hold(kKeySpace);
+    EXPECT_TRUE(screen.viewer.paused());
+    hold(kKeySpace);
+    EXPECT_FALSE(screen.viewer.paused());
+    screen.click("picture");
+    const int x = screen.document().pixel->x;
+    hold(kKeyRight);
+    EXPECT_GT(screen.document().pixel->x, x + 3);
+}
+
 TEST(Ui, HomeFramesTheSceneAndTabHidesThePanels) {
     Screen screen;
     screen.press("Home");
