@@ -26,7 +26,8 @@ Color toneMapped(const Color& c, ToneMap map) {
 }
 
 std::uint8_t linearByte(float value) {
-    return value > 0 ? static_cast<std::uint8_t>(std::min(value, 1.0F) * 255.0F + 0.5F) : std::uint8_t{0};
+    return value > 0 ? static_cast<std::uint8_t>(std::lround(std::min(value, 1.0F) * 255.0F))
+                     : std::uint8_t{0};
 }
 
 float displayedValue(float luminance, const DisplaySettings& settings) {

@@ -25,9 +25,9 @@ std::vector<int> tilesFrom(const Film& film, const DVec2& focus) {
     std::iota(order.begin(), order.end(), 0);
     const auto distance = [&](int index) {
         const Tile tile = film.tile(index);
-        return glm::length(DVec2(tile.x0 + tile.x1, tile.y0 + tile.y1) * 0.5 - focus);
+        return std::pair(glm::length(DVec2(tile.x0 + tile.x1, tile.y0 + tile.y1) * 0.5 - focus), index);
     };
-    std::stable_sort(order.begin(), order.end(), [&](int a, int b) { return distance(a) < distance(b); });
+    std::sort(order.begin(), order.end(), [&](int a, int b) { return distance(a) < distance(b); });
     return order;
 }
 

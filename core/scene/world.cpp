@@ -193,8 +193,9 @@ std::shared_ptr<const Accel> index(const Scene& scene, World& world, const World
 
 }
 
-std::shared_ptr<const World> buildWorld(std::shared_ptr<const Scene> shared, const BuildSettings& settings,
-                                        const World* previous, const std::stop_token& stop) {
+std::shared_ptr<const World> buildWorld(const std::shared_ptr<const Scene>& shared,
+                                        const BuildSettings& settings, const World* previous,
+                                        const std::stop_token& stop) {
     const Scene& scene = *shared;
     auto world = std::make_shared<World>();
     world->scene = shared;

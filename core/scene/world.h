@@ -72,7 +72,7 @@ struct World {
 
 /// Prepares a scene for tracing. Indices over meshes that `previous` already has are shared with it. Returns
 /// nothing if `stop` was requested.
-std::shared_ptr<const World> buildWorld(std::shared_ptr<const Scene>, const BuildSettings&,
+std::shared_ptr<const World> buildWorld(const std::shared_ptr<const Scene>&, const BuildSettings&,
                                         const World* previous = nullptr, const std::stop_token& stop = {});
 
 /// The surface of a varying material at a hit: textures and vertex colour read. `uv(set)` gives texture
