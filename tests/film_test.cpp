@@ -33,13 +33,13 @@ Color sampleOf(int x, int y, int pass) {
 
 TEST(Film, TilesCoverEachPixelOnce) {
     const Film film(kWidth, kHeight);
-    std::vector<int> covered(kWidth * kHeight, 0);
+    Pixels<int> covered(kWidth, kHeight, 0);
     for (int i = 0; i < film.tiles(); ++i) {
         const Tile tile = film.tile(i);
         for (int y = tile.y0; y < tile.y1; ++y)
-            for (int x = tile.x0; x < tile.x1; ++x) ++covered[static_cast<std::size_t>(y * kWidth + x)];
+            for (int x = tile.x0; x < tile.x1; ++x) ++covered.at(x, y);
     }
-    EXPECT_EQ(std::count(covered.begin(), covered.end(), 1), kWidth * kHeight);
+    EXPECT_EQ(covered, Pixels<int>(kWidth, kHeight, 1));
 }
 
 TEST(Film, MeanIsTheMeanOfTheSamplesInDouble) {
@@ -98,9 +98,9 @@ TEST(Film, ReadingTellsWhatChanged) {
     EXPECT_EQ(picture.radiance.at(film.tile(4).x0, film.tile(4).y0), Color(2));
     EXPECT_TRUE(film.read(picture).empty());
 
-    Film other(kWidth, kHeight);
+    const Film other(kWidth, kHeight);
     EXPECT_EQ(static_cast<int>(other.read(picture).size()), other.tiles()) << "another film is all new";
-    Film wider(kWidth + 1, kHeight);
+    const Film wider(kWidth + 1, kHeight);
     wider.read(picture);
     EXPECT_EQ(picture.radiance.width(), kWidth + 1);
 }
@@ -115,9 +115,10 @@ TEST(Film, PreviewFillsBlocksUntilTheFirstPass) {
     Picture picture;
     film.read(picture);
     for (int y = coarse.tile.y0; y < coarse.tile.y1; ++y)
-        for (int x = coarse.tile.x0; x < coarse.tile.x1; ++x)
-            EXPECT_EQ(picture.radiance.at(x, y), Color(static_cast<float>(1 + (x - coarse.tile.x0) / 4 +
-                                                                          2 * ((y - coarse.tile.y0) / 4))));
+        for (int x = coarse.tile.x0; x < coarse.tile.x1; ++x) {
+            const int block = (x - coarse.tile.x0) / 4 + 2 * ((y - coarse.tile.y0) / 4);
+            EXPECT_EQ(picture.radiance.at(x, y), coarse.radiance[static_cast<std::size_t>(block)]);
+        }
 
     film.add(index, result(film, index, [](int, int) { return Color(9); }), 0);
     film.preview(index, coarse);

@@ -301,7 +301,7 @@ TEST(RenderSession, TracesTilesFromTheFocusOutward) {
     settings.coarse = false;
     for (const DVec2& focus : {DVec2(128, 128), DVec2(250, 10), DVec2(40, 200)}) {
         RenderSession session(1); // one thread: tiles end in the order in which they start
-        if (focus != DVec2(kSide / 2)) session.setFocus(focus);
+        if (focus != DVec2(0.5 * kSide)) session.setFocus(focus);
         start(session, scene, settings);
         while (session.status().passProgress == 0) std::this_thread::yield();
         session.pause();
@@ -337,9 +337,8 @@ TEST(RenderSession, FailureIsReportedAndLeavesTheOldPicture) {
 }
 
 TEST(RenderSession, SurvivesAStormOfEvents) {
-    std::vector<Scene> scenes = {balls(), underSky(Color(0.5F)), endless()};
-    std::vector<std::shared_ptr<const World>> worlds;
-    for (const Scene& scene : scenes) worlds.push_back(worldOf(scene));
+    const std::array scenes = {balls(), underSky(Color(0.5F)), endless()};
+    const std::array worlds = {worldOf(scenes[0]), worldOf(scenes[1]), worldOf(scenes[2])};
     const ColorImage expected = rendered(balls(), settingsFor(2), 1);
     for (const int threads : {1, 2, 8}) {
         cases::Random random(static_cast<std::uint32_t>(threads));

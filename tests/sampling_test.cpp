@@ -44,9 +44,9 @@ TEST(Sobol2, EveryAlignedRunOfAPowerOfTwoIsStratifiedInEveryWay) {
         for (std::uint32_t run = 0; run < 3; ++run)
             for (std::uint32_t pixel = 0; pixel < 4; ++pixel) {
                 const std::uint32_t first = run << static_cast<std::uint32_t>(k);
-                std::vector<Vec2> points;
-                for (std::uint32_t i = 0; i < 1U << static_cast<std::uint32_t>(k); ++i)
-                    points.push_back(sobol2({pixel, 17 * pixel, 3, first + i}, 0, kPurpose));
+                std::vector<Vec2> points(std::size_t{1} << static_cast<std::size_t>(k));
+                for (std::uint32_t i = 0; i < points.size(); ++i)
+                    points[i] = sobol2({pixel, 17 * pixel, 3, first + i}, 0, kPurpose);
                 EXPECT_TRUE(isNetInBaseTwo(points, k)) << "2^" << k << " from " << first;
             }
 }

@@ -116,8 +116,8 @@ public:
                      int height = 1, AccelKind accel = AccelKind::Auto)
         : Tracing(buildWorld(std::make_shared<const Scene>(scene), {accel}), settings, width, height) {}
 
-    Tracing(std::shared_ptr<const World> world, const TraceSettings& settings, int width = 1, int height = 1,
-            std::stop_token stop = {})
+    Tracing(const std::shared_ptr<const World>& world, const TraceSettings& settings, int width = 1,
+            int height = 1, std::stop_token stop = {})
         : context_(world, world->scene->cameras.front(), settings, width, height, 0, std::move(stop)),
           integrator_(makeIntegrator(settings.method)) {}
 

@@ -48,7 +48,7 @@ TEST_P(ThreadPools, RunOneIndexOnEachThreadAtATime) {
 }
 
 TEST_P(ThreadPools, StartNothingOnceStopIsRequested) {
-    std::stop_source stop;
+    const std::stop_source stop;
     stop.request_stop();
     std::atomic<int> calls = 0;
     EXPECT_FALSE(pool_.forEach(100, stop.get_token(), [&](int) { ++calls; }));
@@ -117,10 +117,10 @@ TEST_P(ThreadPools, TraceInOneFloatEnvironmentAndGiveTheCallersBack) {
     std::atomic<int> wrong = 0;
     pool_.forEach(GetParam(), {}, [&](int) {
         allAreHere.arrive_and_wait();
-        volatile float smallest = std::numeric_limits<float>::min(), half = 0.5F, one = 1, third = 3;
+        const volatile float smallest = std::numeric_limits<float>::min(), half = 0.5F, one = 1, third = 3;
         if (smallest * half != 0) ++wrong;          // flushed to zero
         if (one / third != 0x1.555556p-2F) ++wrong; // rounded to nearest; downwards it ends in …554
-        volatile float denormal = std::numeric_limits<float>::denorm_min(), large = 0x1p120F;
+        const volatile float denormal = std::numeric_limits<float>::denorm_min(), large = 0x1p120F;
         if (denormal * large != 0) ++wrong; // read as zero
     });
     EXPECT_EQ(_mm_getcsr() & ~0x3fU, callers & ~0x3fU); // the lowest bits are sticky flags
@@ -162,7 +162,7 @@ TEST(ThreadPool, RefusesSenselessNumbers) {
 
 TEST(FloatEnvironment, LastsForItsScope) {
     const unsigned before = _mm_getcsr();
-    volatile float smallest = std::numeric_limits<float>::min(), half = 0.5F;
+    const volatile float smallest = std::numeric_limits<float>::min(), half = 0.5F;
     {
         const FloatEnvironment environment;
         EXPECT_EQ(smallest * half, 0.0F);

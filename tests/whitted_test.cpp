@@ -315,7 +315,7 @@ TEST(Whitted, TreeOfRaysIsCutAtItsBudgetAndCounted) {
 
 TEST(Whitted, StopEndsATileThatWouldTakeForEver) {
     const auto world = Tracing(hallOfMirrors()).context().world;
-    std::stop_source stop;
+    const std::stop_source stop;
     const Tracing tracing(world, toDepth(kMaxDepth), 2000, 2000, stop.get_token());
     TileResult tile;
     std::jthread worker([&] { tile = tracing.tile(); });

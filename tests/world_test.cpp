@@ -215,7 +215,7 @@ TEST(World, LampsGlowOnTheSideThatTheyLight) {
 }
 
 TEST(World, IsNothingWhenItsBuildIsStopped) {
-    std::stop_source stop;
+    const std::stop_source stop;
     stop.request_stop();
     const auto scene = std::make_shared<const Scene>(mixedScene(10));
     EXPECT_EQ(buildWorld(scene, {}, nullptr, stop.get_token()), nullptr);
