@@ -39,8 +39,8 @@ TEST(Terrain, IsTheSameForTheSameSeedOnly) {
 }
 
 TEST(Terrain, ConvergesToOneSurfaceAsItGetsFiner) {
-    const TriangleMesh coarse = makeTerrain({1, 0.2, 2 * 64 * 64, 1}),
-                       fine = makeTerrain({1, 0.2, 2 * 128 * 128, 1});
+    const TriangleMesh coarse = makeTerrain({1, 0.2, 2LL * 64 * 64, 1}),
+                       fine = makeTerrain({1, 0.2, 2LL * 128 * 128, 1});
     double most = 0;
     for (std::size_t row = 0; row <= 64; ++row)
         for (std::size_t column = 0; column <= 64; ++column)

@@ -17,7 +17,7 @@ namespace eyeray::test {
 
 using nlohmann::json;
 
-enum ComponentType {
+enum ComponentType : std::uint16_t {
     Byte = 5120,
     UnsignedByte = 5121,
     Short = 5122,
@@ -108,7 +108,7 @@ struct GltfBuilder {
                                  const std::vector<std::pair<std::string, std::string>>& chunks) {
         std::string body;
         for (const auto& [kind, data] : chunks)
-            body += word(static_cast<std::uint32_t>(data.size())) + kind + data;
+            body.append(word(static_cast<std::uint32_t>(data.size()))).append(kind).append(data);
         return "glTF" + word(version) + word(static_cast<std::uint32_t>(body.size() + 12)) + body;
     }
 

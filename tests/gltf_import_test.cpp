@@ -57,7 +57,7 @@ TEST(GltfFile, FromMemoryReachesForNoOtherFile) {
 TEST(GltfFile, StopsWhenAsked) {
     GltfBuilder b;
     b.triangle();
-    std::stop_source source;
+    const std::stop_source source;
     source.request_stop();
     ImportReport report;
     const std::string text = b.gltf();

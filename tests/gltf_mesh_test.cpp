@@ -128,8 +128,8 @@ TEST(GltfAttributes, WithoutNormalsStayFlat) {
 TEST(GltfAttributes, InterleavedAreReadByTheirStride) {
     GltfBuilder b;
     std::vector<float> interleaved;
-    for (int i = 0; i < 4; ++i) {
-        for (int c = 0; c < 3; ++c) interleaved.push_back(kQuad[static_cast<std::size_t>(3 * i + c)]);
+    for (std::size_t i = 0; i < 4; ++i) {
+        for (std::size_t c = 0; c < 3; ++c) interleaved.push_back(kQuad[3 * i + c]);
         for (const float v : {0.0F, 0.0F, 2.0F, static_cast<float>(i), 0.5F}) interleaved.push_back(v);
     }
     const int view = b.view(interleaved, 32);
