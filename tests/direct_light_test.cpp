@@ -171,6 +171,26 @@ TEST(DirectLight, LeavesTheUnlitSideExactlyDark) {
     EXPECT_GT(lit, 100);
 }
 
+TEST(DirectLight, OnASmoothMeshFollowsItsNormalsOnBothSides) {
+    TriangleMesh mesh = cases::closedMesh(12, 24, 1.0); // facets of 15°
+    for (const Vec3& p : mesh.positions) mesh.normals.push_back(glm::normalize(p));
+    Scene scene = underSky(Color(0));
+    add(scene, mesh, matte(Color(1)));
+    cases::Random random(2);
+    for (const double distance : {3.0, 0.0}) // of the eye, outside and in the middle; the lamp is with it
+        for (int i = 0; i < 200; ++i) {
+            const DVec3 towards = random.direction(), eye = distance * towards;
+            look(scene, eye, eye - towards);
+            scene.lights = {taughtLampAt(eye + 0.5 * glm::cross(towards, random.direction()))};
+            const Retrace sample = Tracing(scene, casting()).retrace();
+            const RayRecord& ray = sample.rays.front();
+            const DVec3 p = eye - static_cast<double>(ray.t) * towards;
+            const DVec3 normal = distance > 0 ? glm::normalize(p) : -glm::normalize(p);
+            const DVec3 lamp = DVec3(scene.lights[0].transform[3]);
+            EXPECT_NEAR(sample.radiance.g, glm::dot(normal, glm::normalize(lamp - p)), 0.004);
+        }
+}
+
 /// The floor at the origin under a lamp at height 4, with something in the scene besides.
 struct Shadowed {
     Scene scene = floorSeen(matte(Color(1)));
