@@ -2,9 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <cstdlib>
-#include <fstream>
-
 #include "core/base/errors.h"
 #include "core/image/atomic_file.h"
 #include "core/image/decode.h"
@@ -63,25 +60,6 @@ fs::path freeName(const fs::path& folder, const std::string& stem) {
         const fs::path name = folder / fmt::format("{}-{:03}.png", stem, number);
         if (!fs::exists(name, error)) return name;
     }
-}
-
-fs::path picturesFolder() {
-    const char* home =
-        std::getenv("HOME"); // NOLINT(concurrency-mt-unsafe): nothing here sets the environment
-    if (home == nullptr) return fs::current_path();
-    const char* config = std::getenv("XDG_CONFIG_HOME"); // NOLINT(concurrency-mt-unsafe)
-    std::ifstream file((config != nullptr && *config != 0 ? fs::path(config) : fs::path(home) / ".config") /
-                       "user-dirs.dirs");
-    constexpr std::string_view kKey = "XDG_PICTURES_DIR=\"";
-    std::string folder;
-    for (std::string line; std::getline(file, line);)
-        if (line.rfind(kKey, 0) == 0) folder = line.substr(kKey.size(), line.rfind('"') - kKey.size());
-    constexpr std::string_view kHome = "$HOME";
-    if (folder.rfind(kHome, 0) == 0) folder.replace(0, kHome.size(), home);
-    std::error_code error;
-    if (!folder.empty() && fs::is_directory(folder, error)) return folder;
-    if (fs::is_directory(fs::path(home) / "Pictures", error)) return fs::path(home) / "Pictures";
-    return fs::current_path();
 }
 
 }

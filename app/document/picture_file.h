@@ -33,7 +33,4 @@ void writePicture(const std::filesystem::path&, const ColorImage& radiance, cons
 /// First name of the form `folder/stem-NNN.png` that is free.
 std::filesystem::path freeName(const std::filesystem::path& folder, const std::string& stem);
 
-/// The user's Pictures folder by the XDG user directories, else the working folder.
-std::filesystem::path picturesFolder();
-
 }

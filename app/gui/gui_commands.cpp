@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 
+#include "app/document/user_folders.h"
 #include "app/gui/gui.h"
 #include "core/base/errors.h"
 

@@ -3,9 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cstdlib>
 
 #include "app/document/command.h"
+#include "app/document/user_folders.h"
 #include "core/image/atomic_file.h"
 
 namespace eyeray {
@@ -39,11 +39,8 @@ void Preferences::remember(const std::string& scene) {
 }
 
 fs::path preferencesFile() {
-    const char* config =
-        std::getenv("XDG_CONFIG_HOME"); // NOLINT(concurrency-mt-unsafe): nothing here sets it
-    if (config != nullptr && *config != 0) return fs::path(config) / "eyeray" / "preferences";
-    const char* home = std::getenv("HOME"); // NOLINT(concurrency-mt-unsafe)
-    return home != nullptr ? fs::path(home) / ".config" / "eyeray" / "preferences" : fs::path();
+    const fs::path folder = configFolder();
+    return folder.empty() ? folder : folder / "eyeray" / "preferences";
 }
 
 Preferences loadPreferences(const fs::path& file) {

@@ -4,6 +4,7 @@
 
 #include <array>
 
+#include "app/document/user_folders.h"
 #include "app/viewer/viewer.h"
 #include "core/base/errors.h"
 
