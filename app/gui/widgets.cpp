@@ -107,7 +107,7 @@ void Widgets::choice(const char* label, const char* key, std::span<const std::st
     ImGui::EndCombo();
 }
 
-void Widgets::part(Command command, const char* key, const std::string& value, bool dragged) const {
+void Widgets::part(const Command& command, const char* key, const std::string& value, bool dragged) const {
     auto arguments = command.arguments();
     const std::string gesture = dragged ? command.text() + key : "";
     arguments.emplace_back(key, value);

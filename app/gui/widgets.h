@@ -43,7 +43,7 @@ struct Widgets {
 
     // Parts of the scene: `command` with its noun, such as {"light", {{"light", "2"}}}; the key is added with
     // its value.
-    void part(Command command, const char* key, const std::string& value, bool dragged) const;
+    void part(const Command& command, const char* key, const std::string& value, bool dragged) const;
     void partColor(const Command&, const char* label, const char* key, const Color& value) const;
     void partNumber(const Command&, const char* label, const char* key, double value, double lowest,
                     double highest, const char* format, bool logarithmic = false) const;
