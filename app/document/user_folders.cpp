@@ -18,8 +18,8 @@ fs::path environmentPath(const char* variable) {
 }
 
 fs::path configFolder() {
-    const fs::path config = environmentPath("XDG_CONFIG_HOME"), home = environmentPath("HOME");
-    if (!config.empty()) return config;
+    if (fs::path config = environmentPath("XDG_CONFIG_HOME"); !config.empty()) return config;
+    const fs::path home = environmentPath("HOME");
     return home.empty() ? fs::path() : home / ".config";
 }
 
