@@ -32,6 +32,7 @@ public:
         arguments.insert(arguments.begin() + 3, environment.begin(), environment.end());
         arguments.insert(arguments.begin() + 3 + static_cast<std::ptrdiff_t>(environment.size()), program);
         std::vector<char*> words;
+        words.reserve(arguments.size() + 1);
         for (std::string& argument : arguments) words.push_back(argument.data());
         words.push_back(nullptr);
         posix_spawn_file_actions_t files;
