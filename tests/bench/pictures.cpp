@@ -38,6 +38,7 @@ std::vector<RenderStatus> render(const Case& wanted) {
 template <class Value>
 std::vector<double> values(const std::vector<RenderStatus>& all, const Value& value) {
     std::vector<double> result;
+    result.reserve(all.size());
     for (const RenderStatus& status : all) result.push_back(value(status));
     return result;
 }

@@ -47,6 +47,7 @@ double buildOnly(const Document& document) {
 template <class Measure>
 std::vector<double> repeated(const Measure& measure) {
     std::vector<double> values;
+    values.reserve(kStarts);
     for (int i = 0; i < kStarts; ++i) values.push_back(measure());
     return values;
 }
