@@ -62,7 +62,7 @@ void pixelPanel(const Widgets& ui) {
     ImGui::Text("%.3f %.3f %.3f", static_cast<double>(c.r), static_cast<double>(c.g),
                 static_cast<double>(c.b));
     const auto& rays = picked->trace.rays;
-    dimmedText(fmt::format("{} rays of its first sample, through the pixel's centre", rays.size()));
+    dimmedText(fmt::format("{} rays of its sample {}", rays.size(), picked->sample));
     if (!ImGui::BeginTable("rays of the pixel", 4, ImGuiTableFlags_RowBg | ImGuiTableFlags_SizingStretchProp))
         return;
     ImGui::TableSetupColumn("ray", 0, 3);

@@ -47,6 +47,7 @@ void Viewer::change(Document changed, const std::string& gesture) {
 
 void Viewer::pick(std::optional<PixelPosition> pixel, bool select) {
     Document picked = document();
+    if (picked.pixel != pixel) selectedRay_ = 0;
     picked.pixel = pixel;
     history_->replace(std::move(picked));
     traceAgain();
@@ -60,12 +61,21 @@ void Viewer::traceAgain() {
     picked_.reset();
     if (!hasScene() || !document().pixel) return;
     const PixelPosition pixel = *document().pixel;
-    auto trace = session_->retrace(pixel.x, pixel.y, 0);
+    auto trace = session_->retrace(pixel.x, pixel.y, sample_);
     if (!trace) return;
     int object = trace->rays.empty() ? -1 : trace->rays.front().object;
     // the picture may still be that of the scene before
     if (object >= static_cast<int>(document().scene->objects.size())) object = -1;
-    picked_ = PickedSample{pixel, std::move(*trace), object};
+    picked_ = PickedSample{pixel, sample_, std::move(*trace), object};
+}
+
+void Viewer::chooseSample(int sample) {
+    sample_ = sample;
+    traceAgain();
+}
+
+int Viewer::selectedRay() const {
+    return picked_ && selectedRay_ < static_cast<int>(picked_->trace.rays.size()) ? selectedRay_ : 0;
 }
 
 void Viewer::setPictureSize(int width, int height) {

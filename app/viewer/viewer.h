@@ -25,7 +25,8 @@ struct PictureSize {
 /// What is known of the picked pixel: one of its samples, traced again.
 struct PickedSample {
     PixelPosition pixel;
-    Retrace trace;   // of sample 0
+    int sample = 0; // which of the pixel's samples
+    Retrace trace;
     int object = -1; // what the eye ray hit
 };
 
@@ -79,6 +80,9 @@ public:
     RenderStatus status() const { return session_->status(); }
     bool paused() const { return paused_; }
     const std::optional<PickedSample>& picked() const { return picked_; }
+    /// Index of the ray of the picked sample that all views mark; 0, the eye ray, if nothing else is
+    /// selected.
+    int selectedRay() const;
     const std::deque<Notice>& notices() const { return notices_; }
     /// True while there is a notice that will go by itself.
     bool noticesPass() const;
@@ -91,6 +95,9 @@ public:
     void setPaused(bool);
     /// Picks a pixel of the picture, or none; selects the object there if asked.
     void pick(std::optional<PixelPosition>, bool select);
+    /// Shows another sample of the picked pixel, from 0.
+    void chooseSample(int sample);
+    void selectRay(int ray) { selectedRay_ = ray; }
     void report(Notice::Kind, std::string text);
     void dismissNotice(std::size_t index);
     /// Ends a drag: the next change is a step of its own for undo.
@@ -141,6 +148,7 @@ private:
     bool meter_ = false; // the exposure is to be metered from the first picture
 
     std::optional<PickedSample> picked_;
+    int sample_ = 0, selectedRay_ = 0;
     std::deque<Notice> notices_;
     RenderStatus::Phase lastPhase_ = RenderStatus::Phase::Idle; // at the last update
     int lastSamples_ = 0;

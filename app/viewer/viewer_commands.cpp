@@ -86,6 +86,20 @@ void pick(Viewer& viewer, const Command& command) {
         command.flag("select").value_or(true));
 }
 
+void sample(Viewer& viewer, const Command& command) {
+    command.allowOnly({"n"});
+    needScene(viewer, command);
+    command.required("n");
+    viewer.chooseSample(*command.integer("n", 0, 1000000));
+}
+
+void selectRay(Viewer& viewer, const Command& command) {
+    command.allowOnly({"index"});
+    needScene(viewer, command);
+    command.required("index");
+    viewer.selectRay(*command.integer("index", 0, 1 << 20));
+}
+
 void wait(Viewer& viewer, const Command& command) {
     command.allowOnly({"samples"});
     viewer.finishRendering(command.integer("samples", 1, 1000000).value_or(1000000));
@@ -104,6 +118,9 @@ constexpr std::array kCommands = {
     ViewerCommand{"pause", "on=on|off", "Pauses or resumes tracing.", pause},
     ViewerCommand{"pick", "x=X y=Y select=on|off",
                   "Picks a pixel and selects its object; without x and y, none.", pick},
+    ViewerCommand{"sample", "n=N", "Shows sample N of the picked pixel; 0 goes through its centre.", sample},
+    ViewerCommand{"select-ray", "index=N", "Marks a ray of the picked pixel in all views; 0 is the eye ray.",
+                  selectRay},
     ViewerCommand{"wait", "samples=N", "Waits for so many samples, or until the picture is finished.", wait},
 };
 

@@ -10,10 +10,29 @@
 
 namespace eyeray {
 
-/// kd (n·l) + ks (r·v)^n or ks (n·h)^n: radiance towards wo for normal irradiance π from the unit direction
-/// wi; black where wi is behind the surface. Phong 1975, "Illumination for Computer Generated Pictures";
-/// Blinn 1977, "Models of Light Reflection for Computer Synthesized Pictures".
-Color localModel(const ShadingPoint&, const Vec3& wi);
+/// kd (n·l) and ks (r·v)^n or ks (n·h)^n.
+struct LocalTerms {
+    Color diffuse{0}, specular{0};
+    Color sum() const { return diffuse + specular; }
+};
+
+/// The taught local models: radiance towards wo for normal irradiance π from the unit direction wi; black
+/// where wi is behind the surface. Phong 1975, "Illumination for Computer Generated Pictures"; Blinn 1977,
+/// "Models of Light Reflection for Computer Synthesized Pictures".
+LocalTerms localModel(const ShadingPoint&, const Vec3& wi);
+
+/// A ray to be traced, and its place in the tree.
+struct TreeRay {
+    Ray ray;
+    RayKind kind = RayKind::Eye;
+    int depth = 0;
+    int parent = -1; // its index on record
+    Color share{1};  // of its radiance that its parent's hit sends on
+    Color weight{1}; // of its radiance that reaches the pixel
+    MediumStack media;
+    bool totalReflection = false;
+    float eta = 1, cosine = 0; // as in RayRecord
+};
 
 /// What one sample of one pixel carries along.
 template <class Index, class Recorder>
@@ -68,36 +87,64 @@ Color visibility(SampleState<Index, Recorder>& state, const Ray& ray, const Medi
 }
 
 /// Emission, ambient and the lamps' light at a point, with one shadow ray to each lamp that can contribute,
-/// if the settings ask for them. `parent` and `depth` are those of the ray that hit the point.
+/// if the settings ask for them. `from` is the ray that hit the point, `record` its index on record.
 template <Features F, class Index, class Recorder>
-Color directLight(SampleState<Index, Recorder>& state, const ShadingPoint& p, const MediumStack& media,
-                  int parent, int depth) {
+Color directLight(SampleState<Index, Recorder>& state, const ShadingPoint& p, const TreeRay& from,
+                  int record) {
     constexpr float kBeforeLamp = 1 - 1e-6F;
     const TraceContext& context = state.context;
     Color radiance = p.surface.emission + p.surface.ambient * context.world->scene->ambient;
     for (const WorldLight& light : context.lights) {
+        const auto note = [&]([[maybe_unused]] LampTerm term) {
+            if constexpr (Recorder::kOn) {
+                term.ray = record;
+                term.light = light.sceneLight;
+                state.recorder.record.lamps.push_back(term);
+            }
+        };
         const auto sample = sampleLight(light, p.at.position);
-        if (!sample) continue;
-        const Color unblocked = localModel(p, sample->wi) * (sample->irradiance / kPi);
-        if (isBlack(unblocked)) continue;
+        if (!sample) {
+            note({.state = LampTerm::State::OutOfReach});
+            continue;
+        }
+        const LocalTerms local = localModel(p, sample->wi);
+        const Color irradiance = sample->irradiance / kPi;
+        const Color unblocked = local.sum() * irradiance;
+        LampTerm term{.wi = sample->wi,
+                      .diffuse = local.diffuse,
+                      .specular = local.specular,
+                      .irradiance = irradiance,
+                      .radiance = unblocked};
+        if (isBlack(unblocked)) {
+            term.state = LampTerm::State::FacesAway;
+            note(term);
+            continue;
+        }
         if (!context.settings.shadows) {
             radiance += unblocked;
+            note(term);
             continue;
         }
         ++state.counts[RayKind::Shadow];
         const Ray ray{spawnOrigin(p.at, sample->wi), sample->wi, 0, sample->distance * kBeforeLamp};
-        const Color arriving = detail::visibility<F>(state, ray, media);
-        radiance += unblocked * arriving;
-        if constexpr (Recorder::kOn)
-            state.recorder.begin({.parent = parent,
-                                  .kind = RayKind::Shadow,
-                                  .depth = depth,
-                                  .origin = ray.origin,
-                                  .direction = ray.direction,
-                                  .t = ray.tMax,
-                                  .light = light.sceneLight,
-                                  .radiance = unblocked * arriving,
-                                  .end = isBlack(arriving) ? RayEnd::Blocked : RayEnd::Unblocked});
+        term.visibility = detail::visibility<F>(state, ray, from.media);
+        term.radiance = unblocked * term.visibility;
+        radiance += term.radiance;
+        if constexpr (Recorder::kOn) {
+            term.shadowRay = state.recorder.add(
+                {.parent = record,
+                 .kind = RayKind::Shadow,
+                 .depth = from.depth,
+                 .origin = ray.origin,
+                 .direction = ray.direction,
+                 .t = ray.tMax,
+                 .light = light.sceneLight,
+                 .weight = state.recorder.at(record).weight * state.recorder.at(record).transmitted,
+                 .transmitted = term.visibility,
+                 .radiance = term.radiance,
+                 .end = isBlack(term.visibility) ? RayEnd::Blocked : RayEnd::Unblocked});
+            note(term);
+        }
     }
     return radiance;
 }

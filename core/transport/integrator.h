@@ -25,10 +25,9 @@ struct TileResult {
     bool complete = false; // false: stop was requested on the way
 };
 
-/// One sample traced with its tree of rays on record.
-struct Retrace {
+/// One sample traced with all that happened on record.
+struct Retrace : SampleRecord {
     Color radiance{0}; // the very bits that went into the film
-    std::vector<RayRecord> rays;
 };
 
 /// Trees larger than this are cut and counted: glass inside glass at depth 64 would never end.

@@ -49,6 +49,7 @@ void addGlass(const World& world, const TraceSettings& settings, const ShadingPo
     std::optional<Vec3> direction = refracted(p.wo, p.normal, interface.eta);
     if (direction && glm::dot(*direction, p.geometricNormal) >= 0)
         direction = refracted(p.wo, p.geometricNormal, interface.eta);
+    next.eta = interface.eta;
     next.totalReflection = !direction && p.object->solid;
     if (next.totalReflection) {
         next.reflectedShare = mirrorShare(surface, cosine) + surface.dielectric;

@@ -14,6 +14,7 @@ struct NextRays {
     Color reflectedShare{0}, refractedShare{0};
     MediumStack refractedMedia;
     bool totalReflection = false;
+    float eta = 1; // of wo's side / of the other side
 };
 
 /// Mirror and refraction directions and their shares. η is that of the media on both sides, by the side that

@@ -6,16 +6,9 @@
 
 namespace eyeray {
 
-/// A ray to be traced, and its place in the tree.
-struct TreeRay {
-    Ray ray;
-    RayKind kind = RayKind::Eye;
-    int depth = 0;
-    int parent = -1;
-    Color weight{1};
-    MediumStack media;
-    bool totalReflection = false;
-};
+/// What is known of a ray once its hit is found.
+RayRecord recordOf(const World&, const TreeRay&, const std::optional<Hit>&, const Color& transmitted);
+HitRecord hitRecordOf(const World&, const ShadingPoint&, const Hit&);
 
 /// Radiance that arrives along `treeRay`: background, or T·(direct light + onward), where T is the
 /// transmittance of the medium on the way and `onward(point, weight, record)` is called at the hit with the
@@ -26,32 +19,26 @@ Color radianceAlong(SampleState<Index, Recorder>& state, const TreeRay& treeRay,
     ++state.counts[treeRay.kind];
     ++state.treeNodes;
     const auto hit = closestHit(state.geometry, treeRay.ray);
-    const int record = state.recorder.begin({.parent = treeRay.parent,
-                                             .kind = treeRay.kind,
-                                             .depth = treeRay.depth,
-                                             .origin = treeRay.ray.origin,
-                                             .direction = treeRay.ray.direction,
-                                             .t = hit ? hit->t : kInfinity,
-                                             .object = hit ? world.objects[hit->instance].sceneObject : -1,
-                                             .weight = treeRay.weight,
-                                             .end = hit ? RayEnd::Hit : RayEnd::Background,
-                                             .totalReflection = treeRay.totalReflection});
     Color transmitted(1);
     if (F.transparent && treeRay.media.top() != MediumStack::kVacuum) {
         const WorldObject& medium = world.objects[treeRay.media.top()];
         transmitted =
             transmittanceOf(world.materials[medium.material].surface.attenuation, hit ? hit->t : kInfinity);
     }
+    int record = -1;
+    if constexpr (Recorder::kOn) record = state.recorder.add(recordOf(world, treeRay, hit, transmitted));
     Color radiance;
     if (hit) {
         const ShadingPoint p = shadingPointAt<F>(world, state.geometry, treeRay.ray, *hit);
-        radiance = directLight<F>(state, p, treeRay.media, record, treeRay.depth);
+        if constexpr (Recorder::kOn) state.recorder.at(record).hit = hitRecordOf(world, p, *hit);
+        radiance = directLight<F>(state, p, treeRay, record);
         radiance += onward(p, treeRay.weight * transmitted, record);
     } else {
         radiance = world.scene->environment.radiance(treeRay.ray.direction);
+        if constexpr (Recorder::kOn) state.recorder.at(record).background = radiance;
     }
     radiance *= transmitted;
-    state.recorder.update(record, [&](RayRecord& r) { r.radiance = radiance; });
+    if constexpr (Recorder::kOn) state.recorder.at(record).radiance = radiance;
     return radiance;
 }
 

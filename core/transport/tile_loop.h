@@ -35,8 +35,8 @@ public:
         specialised(context, [&]<Features F>(const auto& geometry) {
             TreeRecorder recorder;
             RayCounts counts;
-            result.radiance = sample<F>(context, geometry, counts, recorder, x, y, pass);
-            result.rays = std::move(recorder.rays);
+            const Color radiance = sample<F>(context, geometry, counts, recorder, x, y, pass);
+            result = {std::move(recorder.record), radiance};
         });
         return result;
     }

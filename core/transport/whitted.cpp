@@ -12,6 +12,7 @@ public:
     explicit RayTree(SampleState<Index, Recorder>& state) : state_(state) {}
 
     Color trace(const TreeRay& ray) {
+        state_.counts.deepest = std::max(state_.counts.deepest, ray.depth);
         return radianceAlong<F>(state_, ray, [&](const ShadingPoint& p, const Color& weight, int record) {
             return onward(ray, p, weight, record);
         });
@@ -20,39 +21,62 @@ public:
 private:
     Color onward(const TreeRay& ray, const ShadingPoint& p, const Color& weight, int record) {
         const TraceSettings& settings = state_.context.settings;
-        if (ray.depth >= settings.maxDepth || !(p.surface.reflects() || p.surface.transmits()))
-            return Color(0);
+        const bool goesOn = p.surface.reflects() || p.surface.transmits();
+        if (!goesOn || (!Recorder::kOn && ray.depth >= settings.maxDepth)) return Color(0);
         const NextRays next = nextRays(*state_.context.world, settings, p, ray.media);
+        const float cosine = glm::dot(p.normal, p.wo);
         Color radiance(0);
-        if (settings.reflections && worthTracing(weight * next.reflectedShare))
-            radiance += next.reflectedShare *
-                        trace(child(ray, p, next.reflection, weight * next.reflectedShare,
-                                    RayKind::Reflection, ray.media, record, next.totalReflection));
-        if constexpr (F.transparent)
-            if (settings.refractions && worthTracing(weight * next.refractedShare))
-                radiance += next.refractedShare *
-                            trace(child(ray, p, next.refraction, weight * next.refractedShare,
-                                        RayKind::Refraction, next.refractedMedia, record, false));
+        const Color reflected = weight * next.reflectedShare;
+        if (worthTracing(ray, RayKind::Reflection, settings.reflections, next.reflection, next.reflectedShare,
+                         reflected, record))
+            radiance +=
+                next.reflectedShare * trace({.ray = {spawnOrigin(p.at, next.reflection), next.reflection},
+                                             .kind = RayKind::Reflection,
+                                             .depth = ray.depth + 1,
+                                             .parent = record,
+                                             .share = next.reflectedShare,
+                                             .weight = reflected,
+                                             .media = ray.media,
+                                             .totalReflection = next.totalReflection,
+                                             .eta = next.eta,
+                                             .cosine = cosine});
+        if constexpr (F.transparent) {
+            const Color refracted = weight * next.refractedShare;
+            if (worthTracing(ray, RayKind::Refraction, settings.refractions, next.refraction,
+                             next.refractedShare, refracted, record))
+                radiance +=
+                    next.refractedShare * trace({.ray = {spawnOrigin(p.at, next.refraction), next.refraction},
+                                                 .kind = RayKind::Refraction,
+                                                 .depth = ray.depth + 1,
+                                                 .parent = record,
+                                                 .share = next.refractedShare,
+                                                 .weight = refracted,
+                                                 .media = next.refractedMedia,
+                                                 .eta = next.eta,
+                                                 .cosine = cosine});
+        }
         return radiance;
     }
 
-    bool worthTracing(const Color& weight) const {
+    // Whether a next ray of this share and weight is to be traced.
+    bool worthTracing(const TreeRay& ray, RayKind kind, bool on, const Vec3& direction, const Color& share,
+                      const Color& weight, int record) {
+        using Reason = UntracedRay::Reason;
         const float largest = maxComponent(weight);
-        return largest > 0 && largest >= state_.context.settings.cutoff &&
-               state_.treeNodes <= kMaxTreeNodes && !state_.context.stop.stop_requested();
-    }
-
-    TreeRay child(const TreeRay& parent, const ShadingPoint& p, const Vec3& direction, const Color& weight,
-                  RayKind kind, const MediumStack& media, int record, bool totalReflection) {
-        const int depth = parent.depth + 1;
-        state_.counts.deepest = std::max(state_.counts.deepest, depth);
-        return {.ray = {spawnOrigin(p.at, direction), direction},
-                .kind = kind,
-                .depth = depth,
-                .parent = record,
-                .weight = weight,
-                .media = media,
-                .totalReflection = totalReflection};
+        if (!(largest > 0)) return false;
+        std::optional<Reason> reason;
+        if (!on)
+            reason = Reason::SwitchedOff;
+        else if (ray.depth >= state_.context.settings.maxDepth)
+            reason = Reason::DepthLimit;
+        else if (largest < state_.context.settings.cutoff)
+            reason = Reason::Cutoff;
+        else if (state_.treeNodes > kMaxTreeNodes || state_.context.stop.stop_requested())
+            reason = Reason::TreeLimit;
+        if constexpr (Recorder::kOn)
+            if (reason)
+                state_.recorder.record.untraced.push_back({*reason, record, kind, direction, share, weight});
+        return !reason;
     }
 
     SampleState<Index, Recorder>& state_;
