@@ -1,30 +1,29 @@
 #include "app/gui/theme.h"
 
-#include <array>
+#include "core/study/palette.h"
 
 namespace eyeray {
 namespace {
 
-ImVec4 rgb(int hex, float alpha = 1) {
+ImVec4 rgb(std::uint32_t hex, float alpha = 1) {
     return {static_cast<float>((hex >> 16) & 255) / 255, static_cast<float>((hex >> 8) & 255) / 255,
             static_cast<float>(hex & 255) / 255, alpha};
 }
 
 struct Palette {
-    int window, panel, field, fieldHover, fieldActive, accent, text, dimmed, border;
+    const Ground& ground;
+    std::uint32_t field, fieldHover, fieldActive, accent;
 };
-constexpr Palette kDark{0x16181d, 0x1d2027, 0x2a2e38, 0x363b48, 0x414758,
-                        0x4c9be8, 0xe9ebf0, 0x969db0, 0x343945};
-constexpr Palette kLight{0xf2f3f6, 0xffffff, 0xe4e7ed, 0xd6dbe5, 0xc5ccda,
-                         0x1d6fc4, 0x15181e, 0x5d6577, 0xc3c9d4};
+const Palette kDark{groundOf(true), 0x2a2e38, 0x363b48, 0x414758, 0x4c9be8};
+const Palette kLight{groundOf(false), 0xe4e7ed, 0xd6dbe5, 0xc5ccda, 0x1d6fc4};
 
 void setColors(ImVec4* colors, const Palette& p) {
-    for (const int window : {ImGuiCol_WindowBg, ImGuiCol_ChildBg}) colors[window] = rgb(p.panel);
-    colors[ImGuiCol_PopupBg] = rgb(p.panel, 0.98F);
-    colors[ImGuiCol_MenuBarBg] = rgb(p.window);
-    colors[ImGuiCol_Text] = rgb(p.text);
-    colors[ImGuiCol_TextDisabled] = rgb(p.dimmed);
-    colors[ImGuiCol_Border] = colors[ImGuiCol_Separator] = rgb(p.border);
+    for (const int window : {ImGuiCol_WindowBg, ImGuiCol_ChildBg}) colors[window] = rgb(p.ground.panel);
+    colors[ImGuiCol_PopupBg] = rgb(p.ground.panel, 0.98F);
+    colors[ImGuiCol_MenuBarBg] = rgb(p.ground.paper);
+    colors[ImGuiCol_Text] = rgb(p.ground.text);
+    colors[ImGuiCol_TextDisabled] = rgb(p.ground.dimmed);
+    colors[ImGuiCol_Border] = colors[ImGuiCol_Separator] = rgb(p.ground.border);
     colors[ImGuiCol_FrameBg] = colors[ImGuiCol_Button] = rgb(p.field);
     colors[ImGuiCol_FrameBgHovered] = colors[ImGuiCol_ButtonHovered] = rgb(p.fieldHover);
     colors[ImGuiCol_FrameBgActive] = colors[ImGuiCol_ButtonActive] = rgb(p.fieldActive);
@@ -35,11 +34,11 @@ void setColors(ImVec4* colors, const Palette& p) {
         rgb(p.accent);
     colors[ImGuiCol_PlotHistogram] = colors[ImGuiCol_NavHighlight] = rgb(p.accent);
     colors[ImGuiCol_TextSelectedBg] = rgb(p.accent, 0.35F);
-    colors[ImGuiCol_ScrollbarBg] = rgb(p.panel);
+    colors[ImGuiCol_ScrollbarBg] = rgb(p.ground.panel);
     colors[ImGuiCol_ScrollbarGrab] = rgb(p.field);
-    colors[ImGuiCol_TitleBg] = colors[ImGuiCol_TitleBgActive] = rgb(p.window);
-    colors[ImGuiCol_TableHeaderBg] = rgb(p.window);
-    colors[ImGuiCol_TableBorderStrong] = colors[ImGuiCol_TableBorderLight] = rgb(p.border);
+    colors[ImGuiCol_TitleBg] = colors[ImGuiCol_TitleBgActive] = rgb(p.ground.paper);
+    colors[ImGuiCol_TableHeaderBg] = rgb(p.ground.paper);
+    colors[ImGuiCol_TableBorderStrong] = colors[ImGuiCol_TableBorderLight] = rgb(p.ground.border);
     colors[ImGuiCol_ModalWindowDimBg] = rgb(0x000000, 0.4F);
 }
 
@@ -61,11 +60,7 @@ ImGuiStyle themeStyle(bool dark) {
     return style;
 }
 
-ImVec4 colorOf(RayKind kind, bool dark) {
-    constexpr std::array kOnDark = {0xf0e442, 0xa9afbd, 0x56b4e9, 0x3fd0a0, 0xd98cc0};
-    constexpr std::array kOnLight = {0x8a7d00, 0x5d6577, 0x0072b2, 0x007a58, 0xa8487f};
-    return rgb((dark ? kOnDark : kOnLight)[static_cast<std::size_t>(kind)]);
-}
+ImVec4 colorOf(RayKind kind, bool dark) { return rgb(colorOfKind(kind, dark)); }
 
 ImVec4 errorColor(bool dark) { return rgb(dark ? 0xff8a5c : 0xb83a00); }
 ImVec4 doneColor(bool dark) { return rgb(dark ? 0x7ccf9a : 0x1b7a45); }

@@ -10,8 +10,7 @@ namespace eyeray {
 /// Colours and measures of the dark or the light theme, at scale 1.
 ImGuiStyle themeStyle(bool dark);
 
-/// Colour of a kind of ray, the same in every view; told apart by people with any common colour blindness.
-/// Okabe, Ito 2008, "Color Universal Design".
+/// Colour of a kind of ray, the same in every view: colorOfKind.
 ImVec4 colorOf(RayKind, bool dark);
 
 /// Colours for what needs attention.

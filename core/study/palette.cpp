@@ -1,0 +1,37 @@
+#include "core/study/palette.h"
+
+namespace eyeray {
+
+std::uint32_t colorOfKind(RayKind kind, bool dark) {
+    constexpr std::array<std::uint32_t, kRayKinds> kOnDark = {0xf0e442, 0xa9afbd, 0x56b4e9, 0x3fd0a0,
+                                                              0xd98cc0};
+    constexpr std::array<std::uint32_t, kRayKinds> kOnLight = {0x8a7d00, 0x5d6577, 0x0072b2, 0x007a58,
+                                                               0xa8487f};
+    return (dark ? kOnDark : kOnLight)[static_cast<std::size_t>(kind)];
+}
+
+std::span<const float> dashesOf(RayKind kind) {
+    static constexpr std::array kDots = {0.12F, 0.3F};
+    static constexpr std::array kDashes = {0.8F, 0.35F};
+    static constexpr std::array kDotDashes = {0.8F, 0.3F, 0.12F, 0.3F};
+    switch (kind) {
+    case RayKind::Shadow:
+        return kDots;
+    case RayKind::Refraction:
+        return kDashes;
+    case RayKind::Diffuse:
+        return kDotDashes;
+    case RayKind::Eye:
+    case RayKind::Reflection:
+        return {};
+    }
+    return {};
+}
+
+const Ground& groundOf(bool dark) {
+    static constexpr Ground kDark{0x16181d, 0x1d2027, 0xe9ebf0, 0x969db0, 0x343945};
+    static constexpr Ground kLight{0xf2f3f6, 0xffffff, 0x15181e, 0x5d6577, 0xc3c9d4};
+    return dark ? kDark : kLight;
+}
+
+}
