@@ -11,7 +11,9 @@ void cameraPanel(const Widgets&);  // field of view, aspect, corners of the imag
 void objectPanel(const Widgets&);  // the selected object and its material
 void lightsPanel(const Widgets&);  // lamps, ambient light, sky
 void displayPanel(const Widgets&); // exposure, tone mapping, when to stop
-void pixelPanel(const Widgets&);   // the picked pixel
+void pixelPanel(const Widgets&);   // the picked pixel, in short
+void treeView(const Widgets&);     // its rays, as a diagram or a table
+void ledgerView(const Widgets&);   // its colour as a sum
 void statusBar(const Widgets&);    // progress and counts, one line
 void noticesOverlay(const Widgets&, float right, float top); // what was done or went wrong
 
