@@ -1,6 +1,7 @@
 #pragma once
 // What every method of image synthesis offers. Each method is one file.
 
+#include <functional>
 #include <memory>
 
 #include "core/base/math.h"
@@ -43,6 +44,12 @@ public:
 
     /// Traces sample `pass` of one pixel again, by the same code.
     virtual Retrace retrace(const TraceContext&, int x, int y, int pass) const = 0;
+
+    /// Traces sample `pass` of all pixels of a tile again, row by row, and hands each to `each`, which may
+    /// keep no reference to it. Returns what was traced. Thread-safe.
+    using EachSample = std::function<void(int x, int y, const SampleRecord&, const Color& radiance)>;
+    virtual RayCounts retraceTile(const TraceContext&, const Tile&, int pass,
+                                  const EachSample& each) const = 0;
 };
 
 std::unique_ptr<Integrator> makeIntegrator(Method);

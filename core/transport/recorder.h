@@ -94,6 +94,11 @@ struct TreeRecorder {
         record.rays.push_back(ray);
         return static_cast<int>(record.rays.size()) - 1;
     }
+    void clear() {
+        record.rays.clear();
+        record.lamps.clear();
+        record.untraced.clear();
+    }
     RayRecord& at(int ray) { return record.rays[static_cast<std::size_t>(ray)]; }
 };
 
