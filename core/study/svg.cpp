@@ -1,0 +1,78 @@
+#include "core/study/svg.h"
+
+#include <fmt/format.h>
+
+#include <array>
+
+namespace eyeray {
+namespace {
+
+std::string escaped(std::string_view text) {
+    std::string result;
+    for (const char c : text) {
+        if (c == '<')
+            result += "&lt;";
+        else if (c == '>')
+            result += "&gt;";
+        else if (c == '&')
+            result += "&amp;";
+        else if (static_cast<unsigned char>(c) >= 0x20)
+            result += c;
+    }
+    return result;
+}
+
+std::string attributes(const Svg::Stroke& stroke) {
+    std::string result = fmt::format(R"(stroke="#{:06x}" stroke-width="{:.4g}")", stroke.color, stroke.width);
+    for (std::size_t i = 0; i < stroke.dashes.size(); ++i)
+        result += fmt::format("{}{:.4g}", i == 0 ? " stroke-dasharray=\"" : " ", stroke.dashes[i]);
+    return stroke.dashes.empty() ? result : result + "\" stroke-linecap=\"round\"";
+}
+
+std::string rectangle(Vec2 corner, Vec2 size, float radius, std::uint32_t fill) {
+    return fmt::format(R"(<rect x="{:.2f}" y="{:.2f}" width="{:.2f}" height="{:.2f}" rx="{:.4g}" )"
+                       R"(fill="#{:06x}")",
+                       corner.x, corner.y, size.x, size.y, radius, fill);
+}
+
+}
+
+Svg::Svg(float width, float height, std::uint32_t paper)
+    : body_(fmt::format(R"(<svg xmlns="http://www.w3.org/2000/svg" width="{0:.0f}" height="{1:.0f}" )"
+                        R"(viewBox="0 0 {0:.0f} {1:.0f}" font-family="DejaVu Sans, Verdana, sans-serif">)"
+                        "\n",
+                        width, height)) {
+    box({0, 0}, {width, height}, 0, paper);
+}
+
+void Svg::box(Vec2 corner, Vec2 size, float radius, std::uint32_t fill) {
+    body_ += rectangle(corner, size, radius, fill) + "/>\n";
+}
+
+void Svg::box(Vec2 corner, Vec2 size, float radius, std::uint32_t fill, const Stroke& stroke) {
+    body_ += rectangle(corner, size, radius, fill) + " " + attributes(stroke) + "/>\n";
+}
+
+void Svg::line(std::span<const Vec2> points, const Stroke& stroke) {
+    body_ += "<polyline points=\"";
+    for (const Vec2& point : points) body_ += fmt::format("{:.2f},{:.2f} ", point.x, point.y);
+    body_ += fmt::format("\" fill=\"none\" {}/>\n", attributes(stroke));
+}
+
+void Svg::curve(std::span<const Vec2, 4> p, const Stroke& stroke) {
+    body_ +=
+        fmt::format(R"(<path d="M{:.2f} {:.2f} C{:.2f} {:.2f} {:.2f} {:.2f} {:.2f} {:.2f}" fill="none" {}/>)"
+                    "\n",
+                    p[0].x, p[0].y, p[1].x, p[1].y, p[2].x, p[2].y, p[3].x, p[3].y, attributes(stroke));
+}
+
+void Svg::text(Vec2 at, std::string_view text, const Font& font) {
+    constexpr std::array kAnchors = {"start", "middle", "end"};
+    body_ +=
+        fmt::format(R"(<text x="{:.2f}" y="{:.2f}" font-size="{:.4g}" fill="#{:06x}" text-anchor="{}"{}>)"
+                    "{}</text>\n",
+                    at.x, at.y, font.size, font.color, kAnchors[static_cast<std::size_t>(font.anchor)],
+                    font.bold ? " font-weight=\"bold\"" : "", escaped(text));
+}
+
+}

@@ -1,0 +1,47 @@
+#pragma once
+// Scalable Vector Graphics 1.1, as much as diagrams and charts need. Lengths are in the picture's own unit, y
+// down.
+
+#include <cstdint>
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "core/base/math.h"
+
+namespace eyeray {
+
+/// Colours are 0xrrggbb.
+class Svg {
+public:
+    struct Stroke {
+        std::uint32_t color = 0;
+        float width = 1;
+        std::span<const float> dashes = {}; // lengths of dash, gap, …
+    };
+    enum class Anchor : std::uint8_t { Start, Middle, End };
+    struct Font {
+        float size = 1;
+        std::uint32_t color = 0;
+        Anchor anchor = Anchor::Start;
+        bool bold = false;
+    };
+
+    Svg(float width, float height, std::uint32_t paper);
+
+    void box(Vec2 corner, Vec2 size, float radius, std::uint32_t fill);
+    void box(Vec2 corner, Vec2 size, float radius, std::uint32_t fill, const Stroke&);
+    void line(std::span<const Vec2> points, const Stroke&);
+    /// Cubic Bézier curve through four control points.
+    void curve(std::span<const Vec2, 4> points, const Stroke&);
+    /// `at` is on the base line. Any text; what XML reserves is escaped.
+    void text(Vec2 at, std::string_view text, const Font&);
+
+    /// The whole file.
+    std::string file() const { return body_ + "</svg>\n"; }
+
+private:
+    std::string body_;
+};
+
+}

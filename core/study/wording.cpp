@@ -1,0 +1,60 @@
+#include "core/study/wording.h"
+
+#include <fmt/format.h>
+
+namespace eyeray {
+namespace {
+
+template <class Items>
+std::string nameOf(const Items& items, int index, std::string_view noun, std::string_view otherwise) {
+    const auto i = static_cast<std::size_t>(index);
+    if (index < 0 || i >= items.size()) return std::string(otherwise);
+    return items[i].name.empty() ? fmt::format("{} {}", noun, index) : items[i].name;
+}
+
+}
+
+std::string objectName(const Scene& scene, int object) {
+    return nameOf(scene.objects, object, "object", "the surface of a lamp");
+}
+
+std::string lampName(const Scene& scene, int light) { return nameOf(scene.lights, light, "lamp", "a lamp"); }
+
+std::string meeting(const Scene& scene, const RayRecord& ray) {
+    switch (ray.end) {
+    case RayEnd::Hit:
+        return objectName(scene, ray.object);
+    case RayEnd::Background:
+        return "nothing hit";
+    case RayEnd::Unblocked:
+        return "reaches " + lampName(scene, ray.light);
+    case RayEnd::Blocked:
+        return "blocked before " + lampName(scene, ray.light);
+    }
+    return {};
+}
+
+std::string_view reasonText(UntracedRay::Reason reason) {
+    switch (reason) {
+    case UntracedRay::Reason::SwitchedOff:
+        return "switched off";
+    case UntracedRay::Reason::DepthLimit:
+        return "depth limit";
+    case UntracedRay::Reason::Cutoff:
+        return "below the cutoff";
+    case UntracedRay::Reason::TreeLimit:
+        return "tree too large";
+    }
+    return {};
+}
+
+std::string weightText(const Color& weight) {
+    const float w = maxComponent(weight);
+    return w == 0 || w >= 0.095F ? fmt::format("{:.2f}", w) : fmt::format("{:.2g}", w);
+}
+
+std::string metresText(float t) { return std::isfinite(t) ? fmt::format("{:.4g} m", t) : "∞"; }
+
+std::string colorText(const Color& c) { return fmt::format("{:.4f} {:.4f} {:.4f}", c.r, c.g, c.b); }
+
+}

@@ -1,0 +1,33 @@
+#pragma once
+// The words for what happened to a ray, the same in every view.
+
+#include <string>
+#include <string_view>
+
+#include "core/scene/scene.h"
+#include "core/transport/recorder.h"
+
+namespace eyeray {
+
+/// Names of parts of the scene; of an index that is not there: "the surface of a lamp", "a lamp". A record
+/// may be of the scene before an edit, until the picture of the new one is there.
+std::string objectName(const Scene&, int object);
+std::string lampName(const Scene&, int light);
+
+/// What a ray met: "mirror ball", "nothing hit", "reaches lamp", "blocked before lamp".
+std::string meeting(const Scene&, const RayRecord&);
+
+/// Why a ray was not traced.
+std::string_view reasonText(UntracedRay::Reason);
+inline constexpr std::string_view kTotalReflectionText = "total internal reflection";
+
+/// A share or weight by its largest channel, with two digits that count.
+std::string weightText(const Color& weight);
+
+/// A length in metres, with four digits.
+std::string metresText(float t);
+
+/// "r g b", four digits each.
+std::string colorText(const Color&);
+
+}
