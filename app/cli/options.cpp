@@ -10,6 +10,8 @@
 namespace eyeray {
 namespace {
 
+constexpr int kMostSamples = 1 << 24;
+
 /// Adds `--key VALUE` that becomes the command `name key=VALUE`.
 void addSetting(CLI::App& app, PictureOptions& options, const std::string& key, const std::string& type,
                 const std::string& help, const std::string& command = "set") {
@@ -61,7 +63,7 @@ void addPicture(CLI::App& app, PictureOptions& options) {
     addStop(app, options, "seconds", "S", "stop after S seconds");
     addStop(app, options, "error", "E", "stop when the estimated error (0 to 1) is below E");
     app.add_option("--first-pass", options.firstPass, "number of the first sample")
-        ->check(CLI::Range(0, 1 << 24))
+        ->check(CLI::Range(0, kMostSamples))
         ->type_name("K");
     addSetting(app, options, "accel", "NAME", "auto, brute or bvh2");
     addSetting(app, options, "threads", "N", "threads that trace; 0 is one per core");
@@ -89,6 +91,18 @@ void setWindowSize(SnapshotOptions& options, const std::string& text) {
     options.windowHeight = static_cast<int>(height);
 }
 
+/// X,Y of whole numbers; that they lie in the picture is checked when its size is known.
+PixelPosition pixelFrom(const std::string& text) {
+    const Command command("--pixel", {{"x", text.substr(0, std::min(text.find(','), text.size()))},
+                                      {"y", text.substr(std::min(text.find(','), text.size() - 1) + 1)}});
+    try {
+        return {*command.integer("x", 0, kMaxPictureSide), *command.integer("y", 0, kMaxPictureSide)};
+    } catch (const InputError&) {
+        throw InputError("--pixel " + text, "not a pixel",
+                         "give X,Y such as 320,240, from 0,0 at the top left");
+    }
+}
+
 /// CLI11's own messages span several lines and name no remedy.
 [[noreturn]] void refuse(const CLI::ParseError& error) {
     std::string what = error.what();
@@ -108,7 +122,8 @@ std::variant<Options, int> parseCommandLine(int argc, const char* const* argv) {
     ViewOptions view;
     RenderOptions render;
     SnapshotOptions snapshot;
-    std::string size, play, stats, widgets;
+    InspectOptions inspect;
+    std::string size, play, stats, widgets, pixel, inspected;
 
     CLI::App* viewing = app.add_subcommand("view", "open the viewer");
     addScene(*viewing, view.picture, false);
@@ -129,6 +144,24 @@ std::variant<Options, int> parseCommandLine(int argc, const char* const* argv) {
     drawing->add_option("--size", size, "size of the window")->type_name("WxH");
     drawing->add_option("--play", play, "file of commands to carry out first")->type_name("FILE");
     addPicture(*drawing, snapshot.picture);
+
+    CLI::App* inspecting = app.add_subcommand("inspect", "the rays of one sample of a pixel, and their sum");
+    addScene(*inspecting, inspect.picture, true);
+    inspecting->add_option("--pixel", pixel, "which pixel; 0,0 is at the top left")
+        ->required()
+        ->type_name("X,Y");
+    inspecting->add_option("--sample", inspect.sample, "which of its samples; 0 goes through its centre")
+        ->check(CLI::Range(0, kMostSamples))
+        ->type_name("K");
+    inspecting->add_option("--format", inspect.format, "text, json, csv or svg")
+        ->transform(CLI::Transformer(std::map<std::string, InspectFormat>{{"text", InspectFormat::Text},
+                                                                          {"json", InspectFormat::Json},
+                                                                          {"csv", InspectFormat::Csv},
+                                                                          {"svg", InspectFormat::Svg}}))
+        ->type_name("NAME");
+    inspecting->add_option("-o,--output", inspected, "file to write; else standard output")
+        ->type_name("FILE");
+    addPicture(*inspecting, inspect.picture);
 
     const CLI::App* listing = app.add_subcommand("scenes", "list the built-in scenes");
 
@@ -151,8 +184,11 @@ std::variant<Options, int> parseCommandLine(int argc, const char* const* argv) {
     if (!stats.empty()) render.stats = stats;
     if (!play.empty()) snapshot.play = play;
     if (!size.empty()) setWindowSize(snapshot, size);
+    if (!pixel.empty()) inspect.pixel = pixelFrom(pixel);
+    if (!inspected.empty()) inspect.output = inspected;
     if (rendering->parsed()) return Options(render);
     if (drawing->parsed()) return Options(snapshot);
+    if (inspecting->parsed()) return Options(inspect);
     if (listing->parsed()) return Options(ScenesOptions{});
     if (view.picture.scene.empty()) view.picture.scene = kDefaultScene;
     return Options(view);

@@ -7,7 +7,7 @@
 #include <variant>
 #include <vector>
 
-#include "app/document/command.h"
+#include "app/document/document.h"
 
 namespace eyeray {
 
@@ -39,9 +39,19 @@ struct SnapshotOptions {
     std::optional<std::filesystem::path> play;
 };
 
+enum class InspectFormat : std::uint8_t { Text, Json, Csv, Svg };
+
+struct InspectOptions {
+    PictureOptions picture;
+    PixelPosition pixel;
+    int sample = 0;
+    InspectFormat format = InspectFormat::Text;
+    std::optional<std::filesystem::path> output; // else standard output
+};
+
 struct ScenesOptions {};
 
-using Options = std::variant<ViewOptions, RenderOptions, SnapshotOptions, ScenesOptions>;
+using Options = std::variant<ViewOptions, RenderOptions, SnapshotOptions, InspectOptions, ScenesOptions>;
 
 /// What main does next: options to carry out, or an exit code after help or version have been printed.
 /// Throws InputError for a wrong command line.

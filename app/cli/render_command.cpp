@@ -28,16 +28,6 @@ double secondsSince(Clock::time_point start) {
     return std::chrono::duration<double>(Clock::now() - start).count();
 }
 
-void setSize(RenderSettings& settings, const PictureOptions& options, double aspect) {
-    const double ratio = aspect > 0 ? aspect : kDefaultAspect;
-    const auto rounded = [](double side) {
-        return std::clamp(static_cast<int>(std::lround(side)), 1, kMaxPictureSide);
-    };
-    settings.width =
-        options.width.value_or(options.height ? rounded(*options.height * ratio) : kDefaultWidth);
-    settings.height = options.height.value_or(rounded(settings.width / ratio));
-}
-
 void showProgress(const RenderStatus& status, const StopSettings& stop) {
     const double done = status.samples + status.passProgress;
     double left =
@@ -102,9 +92,23 @@ nlohmann::json statistics(const OpenedScene& opened, const World& world, const R
 
 void checkOutput(const std::filesystem::path& output) {
     formatOf(output);
+    checkFolder(output);
+}
+
+void checkFolder(const std::filesystem::path& output) {
     const std::filesystem::path folder = output.parent_path();
     if (!folder.empty() && !std::filesystem::is_directory(folder))
         throw Failure(output.string(), "there is no such folder", "make it first");
+}
+
+void setSize(RenderSettings& settings, const PictureOptions& options, double aspect) {
+    const double ratio = aspect > 0 ? aspect : kDefaultAspect;
+    const auto rounded = [](double side) {
+        return std::clamp(static_cast<int>(std::lround(side)), 1, kMaxPictureSide);
+    };
+    settings.width =
+        options.width.value_or(options.height ? rounded(*options.height * ratio) : kDefaultWidth);
+    settings.height = options.height.value_or(rounded(settings.width / ratio));
 }
 
 OpenedScene openFor(const PictureOptions& options) {

@@ -9,13 +9,19 @@ namespace eyeray {
 int run(const ViewOptions&);
 int run(const RenderOptions&);
 int run(const SnapshotOptions&);
+int run(const InspectOptions&);
 int run(const ScenesOptions&);
 
 /// Says before the work what would go wrong after it: throws InputError for a name that ends in no picture
 /// format, Failure if its folder is not there.
 void checkOutput(const std::filesystem::path& output);
+/// Only the latter.
+void checkFolder(const std::filesystem::path& output);
 
 /// The options' scene, opened, with its options applied. Metering is left to the caller.
 OpenedScene openFor(const PictureOptions&);
+
+/// Width and height of the picture: as asked for, else by the aspect (0: the default one).
+void setSize(RenderSettings&, const PictureOptions&, double aspect);
 
 }

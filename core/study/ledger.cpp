@@ -1,6 +1,7 @@
 #include "core/study/ledger.h"
 
 #include <algorithm>
+#include <array>
 
 #include "core/base/thread_pool.h"
 #include "core/study/family.h"
@@ -104,6 +105,13 @@ Color valueOf(const Ledger& ledger, int node, std::span<const Strike> strikes, b
     return combined(ledger, node, [&](int i) { return valueOf(ledger, i, strikes, all); });
 }
 
+}
+
+std::string_view name(Term term) {
+    constexpr std::array<std::string_view, 15> kNames = {
+        "radiance",   "arriving",   "emission", "ambient", "lamp",  "local",         "diffuse",   "specular",
+        "irradiance", "visibility", "onward",   "sent",    "share", "transmittance", "background"};
+    return kNames[static_cast<std::size_t>(term)];
 }
 
 std::vector<int> Ledger::operandsOf(int node) const {

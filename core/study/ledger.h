@@ -2,6 +2,7 @@
 // The pixel ledger: the colour of one sample as the sum that the tracer itself added up.
 
 #include <span>
+#include <string_view>
 #include <vector>
 
 #include "core/transport/integrator.h"
@@ -26,6 +27,9 @@ enum class Term : std::uint8_t {
     Transmittance, // T of the medium on the way
     Background     // what the ray sees where it hits nothing
 };
+
+/// In one word: "radiance", "lamp", "visibility".
+std::string_view name(Term);
 
 /// One node of the expression, with its result in the tracer's own float arithmetic.
 struct LedgerNode {

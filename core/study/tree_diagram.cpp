@@ -11,10 +11,11 @@
 namespace eyeray {
 namespace {
 
-constexpr float kNodeWidth = 11.5F, kTallNode = 2.9F, kFlatNode = 1.6F;
+constexpr float kNodeWidth = 12.5F, kTallNode = 2.9F, kFlatNode = 1.6F;
 constexpr float kEdgeLength = 4.2F; // room for its weight
 constexpr float kGap = 0.55F;       // between nodes above each other
-constexpr std::size_t kMostLetters = 20;
+constexpr float kAbove = 0.35F;     // of a label above the line that it stands on
+constexpr std::size_t kMostLetters = 17;
 
 /// At most kMostLetters letters of UTF-8 text.
 std::string shortened(const std::string& text) {
@@ -163,6 +164,12 @@ std::array<Vec2, 4> edgeCurve(const TreeDiagram& diagram, const DiagramNode& nod
     const Vec2 to{node.x, node.y + node.height / 2};
     const Vec2 bend{(to.x - from.x) * 0.5F, 0};
     return {from, from + bend, to - bend, to};
+}
+
+Vec2 edgeLabel(const TreeDiagram& diagram, const DiagramNode& node) {
+    const auto curve = edgeCurve(diagram, node);
+    const bool falls = curve[3].y > curve[0].y + kAbove;
+    return curve[3] + Vec2(-0.35F, falls ? 0.95F : -kAbove);
 }
 
 Vec2 pointOf(const std::array<Vec2, 4>& c, float s) {

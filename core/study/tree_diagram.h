@@ -48,6 +48,9 @@ TreeDiagram diagramOf(const SampleRecord&, const Scene&, const TreeFilter&);
 /// The four points of the cubic Bézier curve from a node's parent to it.
 std::array<Vec2, 4> edgeCurve(const TreeDiagram&, const DiagramNode&);
 
+/// Where the base line of the edge's text ends: at the node, on the side that the curve does not come from.
+Vec2 edgeLabel(const TreeDiagram&, const DiagramNode&);
+
 /// Point of the cubic Bézier curve at s from 0 to 1.
 Vec2 pointOf(const std::array<Vec2, 4>& curve, float s);
 

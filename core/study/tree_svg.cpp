@@ -69,7 +69,7 @@ private:
         for (Vec2& point : curve) point = placed(point);
         stroke(curve, node.kind, node.traced ? 0.13F : 0.07F);
         if (!node.edge.empty())
-            svg_.text(curve[3] + Vec2(-0.3F, -0.35F) * kLetter, node.edge,
+            svg_.text(placed(edgeLabel(diagram_, node)), node.edge,
                       {.size = 0.85F * kLetter, .color = ground_.text, .anchor = Svg::Anchor::End});
     }
 

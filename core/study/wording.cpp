@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <array>
+
 namespace eyeray {
 namespace {
 
@@ -32,6 +34,11 @@ std::string meeting(const Scene& scene, const RayRecord& ray) {
         return "blocked before " + lampName(scene, ray.light);
     }
     return {};
+}
+
+std::string_view name(RayEnd end) {
+    constexpr std::array<std::string_view, 4> kNames = {"hit", "background", "unblocked", "blocked"};
+    return kNames[static_cast<std::size_t>(end)];
 }
 
 std::string_view reasonText(UntracedRay::Reason reason) {

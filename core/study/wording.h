@@ -17,6 +17,9 @@ std::string lampName(const Scene&, int light);
 /// What a ray met: "mirror ball", "nothing hit", "reaches lamp", "blocked before lamp".
 std::string meeting(const Scene&, const RayRecord&);
 
+/// How a ray ended, in one word: "hit", "background", "unblocked", "blocked".
+std::string_view name(RayEnd);
+
 /// Why a ray was not traced.
 std::string_view reasonText(UntracedRay::Reason);
 inline constexpr std::string_view kTotalReflectionText = "total internal reflection";
