@@ -19,16 +19,18 @@ using namespace scenes;
 
 constexpr int kWidth = 48, kHeight = 36;
 
-LayerFilm filmOf(const Tracing& tracing, std::vector<Layer> layers, int passes = 1, int threads = 1) {
-    LayerFilm film(std::move(layers), tracing.context().width, tracing.context().height);
+std::unique_ptr<LayerFilm> filmOf(const Tracing& tracing, std::vector<Layer> layers, int passes = 1,
+                                  int threads = 1) {
+    auto film =
+        std::make_unique<LayerFilm>(std::move(layers), tracing.context().width, tracing.context().height);
     ThreadPool pool(threads);
     for (int pass = 0; pass < passes; ++pass)
-        film.addPass(tracing.context(), tracing.integrator(), pass, pool, {});
+        film->addPass(tracing.context(), tracing.integrator(), pass, pool);
     return film;
 }
 
 ColorImage layerOf(const Tracing& tracing, const char* name, int passes = 1) {
-    return filmOf(tracing, {layerNamed(name, *tracing.world().scene)}, passes).image(0).values;
+    return filmOf(tracing, {layerNamed(name, *tracing.world().scene)}, passes)->image(0).values;
 }
 
 std::vector<Layer> layersOf(const Scene& scene, const std::vector<Quantity>& quantities) {
@@ -41,10 +43,10 @@ std::vector<Layer> layersOf(const Scene& scene, const std::vector<Quantity>& qua
 
 /// Sum of the layers of these quantities.
 ColorImage sumOf(const Tracing& tracing, const std::vector<Quantity>& quantities, int passes) {
-    const LayerFilm film = filmOf(tracing, layersOf(*tracing.world().scene, quantities), passes);
-    ColorImage sum = film.image(0).values;
-    for (std::size_t i = 1; i < film.layers().size(); ++i) {
-        const ColorImage part = film.image(i).values;
+    const auto film = filmOf(tracing, layersOf(*tracing.world().scene, quantities), passes);
+    ColorImage sum = film->image(0).values;
+    for (std::size_t i = 1; i < film->layers().size(); ++i) {
+        const ColorImage part = film->image(i).values;
         for (std::size_t p = 0; p < sum.values().size(); ++p) sum.values()[p] += part.values()[p];
     }
     return sum;
@@ -182,8 +184,8 @@ TEST(PictureLayers, RaysAddUpToTheCountsOfTheTracerAndRecursionReachesTheDeepest
     for (const Color& value : depths.values()) deepest = std::max(deepest, static_cast<double>(value.x));
     EXPECT_EQ(rays, static_cast<double>(traced.counts.total()));
     EXPECT_EQ(deepest, traced.counts.deepest);
-    const LayerFilm film = filmOf(tracing, {layerNamed("rays", *tracing.world().scene)});
-    EXPECT_EQ(film.counts().rays, traced.counts.rays);
+    const auto film = filmOf(tracing, {layerNamed("rays", *tracing.world().scene)});
+    EXPECT_EQ(film->counts().rays, traced.counts.rays);
 }
 
 TEST(PictureLayers, TheErrorIsTheStandardErrorOfTheLuminance) {
@@ -209,18 +211,18 @@ TEST(PictureLayers, AreTheSameOnAnyNumberOfThreads) {
     const Tracing tracing(twoLamps(), toDepth(5), kWidth, kHeight);
     std::vector<Layer> layers = layersOf(*tracing.world().scene);
     std::erase_if(layers, [](const Layer& layer) { return layer.quantity == Quantity::Cost; });
-    const LayerFilm one = filmOf(tracing, layers, 3, 1), many = filmOf(tracing, layers, 3, 5);
+    const auto one = filmOf(tracing, layers, 3, 1), many = filmOf(tracing, layers, 3, 5);
     for (std::size_t i = 0; i < layers.size(); ++i)
-        EXPECT_EQ(one.image(i).values, many.image(i).values) << layers[i].name;
+        EXPECT_EQ(one->image(i).values, many->image(i).values) << layers[i].name;
 }
 
 TEST(PictureLayers, OfTheFirstHitAreTheSameTracedAloneOrWithAllOthers) {
     const Tracing tracing(twoLamps(), toDepth(5), kWidth, kHeight);
-    const LayerFilm all = filmOf(tracing, layersOf(*tracing.world().scene), 2);
-    for (std::size_t i = 0; i < all.layers().size(); ++i) {
-        const Layer& layer = all.layers()[i];
+    const auto all = filmOf(tracing, layersOf(*tracing.world().scene), 2);
+    for (std::size_t i = 0; i < all->layers().size(); ++i) {
+        const Layer& layer = all->layers()[i];
         if (!isOfFirstHit(layer.quantity)) continue;
-        EXPECT_EQ(all.image(i).values, layerOf(tracing, layer.name.c_str(), 2)) << layer.name;
+        EXPECT_EQ(all->image(i).values, layerOf(tracing, layer.name.c_str(), 2)) << layer.name;
     }
 }
 
@@ -232,13 +234,17 @@ TEST(PictureLayers, CostIsTimeThatPassesAndSamplesAreCounted) {
 }
 
 TEST(PictureLayers, AStopLeavesThePassUncounted) {
-    const Tracing tracing(twoLamps(), toDepth(5), kWidth, kHeight);
-    LayerFilm film({layerNamed("color", *tracing.world().scene)}, kWidth, kHeight);
+    std::stop_source stop;
+    const auto world = buildWorld(std::make_shared<const Scene>(twoLamps()), {});
+    const Tracing tracing(world, toDepth(5), kWidth, kHeight, stop.get_token());
+    LayerFilm film({layerNamed("color", *world->scene)}, kWidth, kHeight);
     ThreadPool pool(2);
-    std::stop_source stopped;
-    stopped.request_stop();
-    EXPECT_FALSE(film.addPass(tracing.context(), tracing.integrator(), 0, pool, stopped.get_token()));
-    EXPECT_EQ(film.passes(), 0);
+    EXPECT_TRUE(film.addPass(tracing.context(), tracing.integrator(), 0, pool));
+    const ColorImage before = film.image(0).values;
+    stop.request_stop();
+    EXPECT_FALSE(film.addPass(tracing.context(), tracing.integrator(), 1, pool));
+    EXPECT_EQ(film.passes(), 1);
+    EXPECT_EQ(film.image(0).values, before);
 }
 
 TEST(PictureLayers, HaveNamesOfTheirOwnAndUnknownOnesAreRefusedWithTheList) {

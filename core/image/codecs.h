@@ -22,10 +22,6 @@ DecodedImage decodeJpeg(std::span<const std::byte> bytes, const std::string& whe
 /// W3C, "Portable Network Graphics (PNG) Specification (Second Edition)", 2003; through libpng.
 std::vector<std::byte> encodePng(const ByteImage& image, const Metadata& metadata);
 
-/// Scan lines of 32-bit floats under ZIP compression; through OpenEXR. A key that OpenEXR itself uses, such
-/// as "channels", is no key for metadata.
-std::vector<std::byte> encodeExr(const ColorImage& image, const Metadata& metadata);
-
 /// Ward, "Real Pixels", Graphics Gems II, 1991; run lengths as in the file format of Radiance.
 std::vector<std::byte> encodeHdr(const ColorImage& image);
 

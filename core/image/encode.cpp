@@ -1,6 +1,7 @@
 #include "core/image/encode.h"
 
 #include <algorithm>
+#include <array>
 #include <cctype>
 
 #include "core/base/errors.h"
@@ -36,7 +37,9 @@ std::vector<std::byte> encodeRadiance(const ColorImage& image, ImageFormat forma
     case ImageFormat::Pfm:
         return encodePfm(image);
     default:
-        return encodeExr(image, metadata);
+        return encodeChannels(std::array{ImageChannel{"R", &image, 0}, ImageChannel{"G", &image, 1},
+                                         ImageChannel{"B", &image, 2}},
+                              metadata);
     }
 }
 

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
@@ -34,5 +35,16 @@ std::vector<std::byte> encodeDisplayed(const ByteImage& image, ImageFormat forma
 /// or a Radiance HDR (RGBE: the channels to 1/256 of the largest; NaN and negative values become 0; no
 /// metadata).
 std::vector<std::byte> encodeRadiance(const ColorImage& image, ImageFormat format, const Metadata& metadata);
+
+/// One channel of an EXR: its name, as in "R" or "normal.X", and the component of an image that it holds.
+struct ImageChannel {
+    std::string name;
+    const ColorImage* image;
+    int component;
+};
+
+/// An EXR of any channels, at least one, of images of one size; names differ and are 1 to 255 bytes. 32-bit
+/// floats, bit for bit; metadata as string attributes.
+std::vector<std::byte> encodeChannels(std::span<const ImageChannel>, const Metadata& metadata);
 
 }

@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <array>
 
 #include <ImfChannelList.h>
 #include <ImfFrameBuffer.h>
@@ -34,26 +33,30 @@ private:
     std::size_t position_ = 0;
 };
 
-/// Names the image's channels in the header and shows OpenEXR where their floats lie.
-void addChannels(Imf::Header& header, Imf::FrameBuffer& frame, const ColorImage& image) {
-    const auto rowBytes = sizeof(Color) * static_cast<std::size_t>(image.width());
-    for (int i = 0; i < 3; ++i) {
-        const char* const name = std::array{"R", "G", "B"}[static_cast<std::size_t>(i)];
-        // OpenEXR takes one kind of slice for reading and writing; written ones it leaves as they are.
-        auto* const first = const_cast<float*>(&image.values().front()[i]);
-        header.channels().insert(name, Imf::Channel(Imf::FLOAT));
-        frame.insert(name, Imf::Slice(Imf::FLOAT, reinterpret_cast<char*>(first), sizeof(Color), rowBytes));
-    }
+/// Names a channel in the header and shows OpenEXR where its floats lie.
+void addChannel(Imf::Header& header, Imf::FrameBuffer& frame, const ImageChannel& channel) {
+    const ColorImage& image = *channel.image;
+    // OpenEXR takes one kind of slice for reading and writing; written ones it leaves as they are.
+    auto* const first = const_cast<float*>(&image.values().front()[channel.component]);
+    header.channels().insert(channel.name, Imf::Channel(Imf::FLOAT));
+    frame.insert(channel.name, Imf::Slice(Imf::FLOAT, reinterpret_cast<char*>(first), sizeof(Color),
+                                          sizeof(Color) * static_cast<std::size_t>(image.width())));
 }
 
 }
 
-std::vector<std::byte> encodeExr(const ColorImage& image, const Metadata& metadata) {
+// Scan lines under ZIP compression. A key that OpenEXR itself uses, such as "channels", is no key for
+// metadata.
+std::vector<std::byte> encodeChannels(std::span<const ImageChannel> channels, const Metadata& metadata) {
+    const ColorImage& image = *channels.front().image;
     Imf::Header header(image.width(), image.height());
     header.compression() = Imf::ZIP_COMPRESSION;
     for (const auto& [key, text] : metadata) header.insert(key, Imf::StringAttribute(text));
     Imf::FrameBuffer frame;
-    addChannels(header, frame, image);
+    for (const ImageChannel& channel : channels) {
+        ENSURE(channel.image->width() == image.width() && channel.image->height() == image.height());
+        addChannel(header, frame, channel);
+    }
 
     MemoryStream stream;
     {

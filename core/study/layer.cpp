@@ -11,13 +11,15 @@ namespace eyeray {
 namespace {
 
 constexpr std::string_view kLampPrefix = "lamp.";
+constexpr std::size_t kLongestName = 100; // bytes; OpenEXR takes up to 255 for a channel
 
-/// "lamp." and the lamp's name, or its number where it has none or shares it.
+/// "lamp." and the lamp's name, or its number where it has none, a very long one, or shares it.
 std::string lampLayerName(const Scene& scene, std::size_t lamp) {
     const std::string& name = scene.lights[lamp].name;
     const auto sharers = std::count_if(scene.lights.begin(), scene.lights.end(),
                                        [&](const Light& light) { return light.name == name; });
-    return fmt::format("{}{}", kLampPrefix, name.empty() || sharers > 1 ? fmt::format("{}", lamp) : name);
+    const bool unfit = name.empty() || name.size() > kLongestName || sharers > 1;
+    return fmt::format("{}{}", kLampPrefix, unfit ? fmt::format("{}", lamp) : name);
 }
 
 /// Radiance of a ray that finds it itself, as it reaches the pixel.
@@ -109,7 +111,7 @@ bool isOfFirstHit(Quantity quantity) {
 
 std::optional<DVec3> layerValue(const Layer& layer, const SampleRecord& record, const Color& radiance) {
     if (layer.quantity == Quantity::Picture) return DVec3(radiance);
-    if (record.rays.empty()) return std::nullopt;
+    ENSURE(!record.rays.empty());
     const bool leftOut = isLeftOut(record);
     switch (layer.quantity) {
     case Quantity::Normal:
@@ -134,9 +136,15 @@ std::optional<DVec3> layerValue(const Layer& layer, const SampleRecord& record, 
         return DVec3(deepest(record));
     case Quantity::Rays:
         return DVec3(static_cast<double>(record.rays.size()));
-    default:
-        throw InternalError("layerValue: not of one sample's record");
+    case Quantity::Samples:
+        return DVec3(1);
+    case Quantity::Error:
+        return DVec3(luminance(DVec3(radiance)));
+    case Quantity::Picture:
+    case Quantity::Cost:
+        break;
     }
+    throw InternalError("layerValue: not of one sample's record");
 }
 
 }

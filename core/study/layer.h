@@ -59,8 +59,8 @@ bool isOfFirstHit(Quantity);
 ///
 /// A ray brings weight · transmitted · (emission + ambient + background) under its own kind, and its lamp
 /// terms count as brought by shadow rays, also with shadow rays switched off. So the layers of the kinds add
-/// up to the colour, and so do those of the lamps and the rest.
-/// Not for Cost, Samples and Error, which are not of one sample's record.
+/// up to the colour, and so do those of the lamps and the rest. To the Error a sample adds its luminance, to
+/// the Samples 1; the Cost is not on record.
 std::optional<DVec3> layerValue(const Layer&, const SampleRecord&, const Color& radiance);
 
 }

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <chrono>
-#include <mutex>
 #include <new>
 
 namespace eyeray {
@@ -12,7 +11,7 @@ namespace {
 
 constexpr int kTileSide = 32;
 
-std::size_t channelsOf(const Layer& layer) { return isVector(layer.quantity) ? 3 : 1; }
+std::size_t channelCount(const Layer& layer) { return isVector(layer.quantity) ? 3 : 1; }
 
 bool hasSecond(Quantity quantity) {
     return quantity == Quantity::Normal || quantity == Quantity::Depth || quantity == Quantity::Error;
@@ -35,12 +34,12 @@ double costOf(const TraceContext& context, const Integrator& integrator, int x, 
 }
 
 LayerFilm::LayerFilm(std::vector<Layer> layers, int width, int height)
-    : layers_(std::move(layers)), planes_(layers_.size()), width_(width), height_(height) {
+    : layers_(std::move(layers)), width_(width), height_(height), planes_(layers_.size()) {
     ENSURE(!layers_.empty() && width >= 1 && height >= 1);
     const auto pixels = static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
     try {
         for (std::size_t i = 0; i < layers_.size(); ++i) {
-            planes_[i].sums.assign(channelsOf(layers_[i]) * pixels, 0);
+            planes_[i].sums.assign(channelCount(layers_[i]) * pixels, 0);
             if (hasSecond(layers_[i].quantity)) planes_[i].second.assign(pixels, 0);
         }
     } catch (const std::bad_alloc&) {
@@ -53,40 +52,38 @@ LayerFilm::LayerFilm(std::vector<Layer> layers, int width, int height)
     tilePasses_.assign(tiles_.size(), 0);
 }
 
-bool LayerFilm::addPass(const TraceContext& context, const Integrator& integrator, int pass, ThreadPool& pool,
-                        const std::stop_token& stop) {
+bool LayerFilm::addPass(const TraceContext& context, const Integrator& integrator, int pass,
+                        ThreadPool& pool) {
     const bool eyeRaysSuffice = std::all_of(layers_.begin(), layers_.end(),
                                             [](const Layer& layer) { return isOfFirstHit(layer.quantity); });
     const TraceContext traced = eyeRaysSuffice ? ofFirstHit(context) : context;
-    std::mutex mutex;
-    const bool whole = pool.forEach(static_cast<int>(tiles_.size()), stop, [&](int i) {
-        const RayCounts counts = addTile(traced, integrator, static_cast<std::size_t>(i), pass);
-        const std::scoped_lock lock(mutex);
-        counts_ += counts;
+    const bool whole = pool.forEach(static_cast<int>(tiles_.size()), context.stop, [&](int i) {
+        const auto tile = static_cast<std::size_t>(i);
+        std::vector<Value> values; // of each pixel and layer
+        const auto counts = integrator.retraceTile(
+            traced, tiles_[tile], pass, [&](int x, int y, const SampleRecord& record, const Color& radiance) {
+                for (const Layer& layer : layers_)
+                    values.push_back(layer.quantity == Quantity::Cost
+                                         ? DVec3(costOf(traced, integrator, x, y, pass))
+                                         : layerValue(layer, record, radiance));
+            });
+        if (counts) addTile(tile, values, *counts);
     });
-    if (whole) ++passes_;
-    return whole;
+    if (!whole || context.stop.stop_requested()) return false;
+    const std::scoped_lock lock(mutex_);
+    ++passes_;
+    return true;
 }
 
-RayCounts LayerFilm::addTile(const TraceContext& context, const Integrator& integrator, std::size_t tile,
-                             int pass) {
+void LayerFilm::addTile(std::size_t tile, const std::vector<Value>& values, const RayCounts& counts) {
+    const std::scoped_lock lock(mutex_);
     const bool first = tilePasses_[tile]++ == 0;
-    return integrator.retraceTile(
-        context, tiles_[tile], pass, [&](int x, int y, const SampleRecord& record, const Color& radiance) {
-            const auto pixel =
-                static_cast<std::size_t>(y) * static_cast<std::size_t>(width_) + static_cast<std::size_t>(x);
-            for (std::size_t i = 0; i < layers_.size(); ++i) {
-                const Layer& layer = layers_[i];
-                std::optional<DVec3> value(DVec3(1)); // of Samples: this one
-                if (layer.quantity == Quantity::Cost)
-                    value = DVec3(costOf(context, integrator, x, y, pass));
-                else if (layer.quantity == Quantity::Error)
-                    value = DVec3(luminance(DVec3(radiance)));
-                else if (layer.quantity != Quantity::Samples)
-                    value = layerValue(layer, record, radiance);
-                add(layer, planes_[i], pixel, value, first);
-            }
-        });
+    counts_ += counts;
+    std::size_t next = 0;
+    for (int y = tiles_[tile].y0; y < tiles_[tile].y1; ++y)
+        for (int x = tiles_[tile].x0; x < tiles_[tile].x1; ++x)
+            for (std::size_t i = 0; i < layers_.size(); ++i)
+                add(layers_[i], planes_[i], index(x, y), values[next++], first);
 }
 
 void LayerFilm::add(const Layer& layer, Plane& plane, std::size_t pixel, const std::optional<DVec3>& value,
@@ -96,7 +93,7 @@ void LayerFilm::add(const Layer& layer, Plane& plane, std::size_t pixel, const s
         return;
     }
     if (!value) return;
-    const std::size_t channels = channelsOf(layer);
+    const std::size_t channels = channelCount(layer);
     for (std::size_t c = 0; c < channels; ++c)
         plane.sums[channels * pixel + c] += (*value)[static_cast<int>(c)];
     if (layer.quantity == Quantity::Error)
@@ -106,10 +103,11 @@ void LayerFilm::add(const Layer& layer, Plane& plane, std::size_t pixel, const s
 }
 
 Color LayerFilm::mean(const Layer& layer, const Plane& plane, std::size_t pixel, int samples) const {
-    const double* const sums = &plane.sums[channelsOf(layer) * pixel];
-    const double n = samples;
+    const double* const sums = &plane.sums[channelCount(layer) * pixel];
+    const double n = std::max(1, samples);
     switch (layer.quantity) {
     case Quantity::Object:
+        return Color(static_cast<float>(samples > 0 ? sums[0] : kNoObject));
     case Quantity::Samples:
         return Color(static_cast<float>(sums[0]));
     case Quantity::Normal: {
@@ -124,22 +122,31 @@ Color LayerFilm::mean(const Layer& layer, const Plane& plane, std::size_t pixel,
         return Color(static_cast<float>(std::sqrt(std::max(0.0, variance) / (n - 1))));
     }
     default:
-        return channelsOf(layer) == 3 ? Color(DVec3(sums[0], sums[1], sums[2]) / n)
-                                      : Color(static_cast<float>(sums[0] / n));
+        return channelCount(layer) == 3 ? Color(DVec3(sums[0], sums[1], sums[2]) / n)
+                                        : Color(static_cast<float>(sums[0] / n));
     }
 }
 
 LayerImage LayerFilm::image(std::size_t layer) const {
-    ENSURE(layer < layers_.size() && passes_ > 0);
-    LayerImage result{layers_[layer], passes_, ColorImage(width_, height_)};
+    ENSURE(layer < layers_.size());
+    LayerImage result{layers_[layer], 0, ColorImage(width_, height_)};
+    const std::scoped_lock lock(mutex_);
+    result.samples = passes_;
     for (std::size_t i = 0; i < tiles_.size(); ++i)
         for (int y = tiles_[i].y0; y < tiles_[i].y1; ++y)
-            for (int x = tiles_[i].x0; x < tiles_[i].x1; ++x) {
-                const auto pixel = static_cast<std::size_t>(y) * static_cast<std::size_t>(width_) +
-                                   static_cast<std::size_t>(x);
-                result.values.at(x, y) = mean(layers_[layer], planes_[layer], pixel, tilePasses_[i]);
-            }
+            for (int x = tiles_[i].x0; x < tiles_[i].x1; ++x)
+                result.values.at(x, y) = mean(layers_[layer], planes_[layer], index(x, y), tilePasses_[i]);
     return result;
+}
+
+int LayerFilm::passes() const {
+    const std::scoped_lock lock(mutex_);
+    return passes_;
+}
+
+RayCounts LayerFilm::counts() const {
+    const std::scoped_lock lock(mutex_);
+    return counts_;
 }
 
 }

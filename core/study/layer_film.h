@@ -1,6 +1,7 @@
 #pragma once
 // Layers of one picture, pass by pass.
 
+#include <mutex>
 #include <vector>
 
 #include "core/base/thread_pool.h"
@@ -19,37 +20,43 @@ struct LayerImage {
 
 /// Sums of some layers over the samples of each pixel, in double and in the order of the passes: so the same
 /// bits on any number of threads, Cost left out, and of the colour those of the Film.
-/// Used by one thread.
 class LayerFilm {
 public:
     /// Throws Failure if there is no memory for it.
     LayerFilm(std::vector<Layer>, int width, int height);
 
-    /// Traces sample `pass` of every pixel on the pool's threads and adds it. False if `stop` came first:
-    /// then some tiles have one sample more than others.
-    bool addPass(const TraceContext&, const Integrator&, int pass, ThreadPool&, const std::stop_token& stop);
+    /// Traces sample `pass` of every pixel on the pool's threads and adds it, tile by tile. False if the
+    /// context's stop came first. To be called by one thread.
+    bool addPass(const TraceContext&, const Integrator&, int pass, ThreadPool&);
 
-    int passes() const { return passes_; } // whole ones
-    const RayCounts& counts() const { return counts_; }
+    // The others are thread-safe.
     const std::vector<Layer>& layers() const { return layers_; }
+    int passes() const; // whole ones
+    RayCounts counts() const;
 
-    /// Mean over each pixel's samples; at least one pass must be whole.
+    /// Mean over the samples that each tile has had so far.
     LayerImage image(std::size_t layer) const;
 
 private:
+    using Value = std::optional<DVec3>;
     struct Plane {
         std::vector<double> sums;   // one or three a pixel
         std::vector<double> second; // of Normal and Depth how many values, of Error the sum of squares
     };
-    RayCounts addTile(const TraceContext&, const Integrator&, std::size_t tile, int pass);
-    void add(const Layer&, Plane&, std::size_t pixel, const std::optional<DVec3>& value, bool first) const;
+    void addTile(std::size_t tile, const std::vector<Value>&, const RayCounts&);
+    void add(const Layer&, Plane&, std::size_t pixel, const Value&, bool first) const;
     Color mean(const Layer&, const Plane&, std::size_t pixel, int samples) const;
+    std::size_t index(int x, int y) const {
+        return static_cast<std::size_t>(y) * static_cast<std::size_t>(width_) + static_cast<std::size_t>(x);
+    }
 
-    std::vector<Layer> layers_;
-    std::vector<Plane> planes_; // of each layer
+    const std::vector<Layer> layers_;
+    const int width_, height_;
     std::vector<Tile> tiles_;
+
+    mutable std::mutex mutex_;  // of all below
+    std::vector<Plane> planes_; // of each layer
     std::vector<int> tilePasses_;
-    int width_, height_;
     int passes_ = 0;
     RayCounts counts_;
 };

@@ -3,6 +3,7 @@
 
 #include <functional>
 #include <memory>
+#include <optional>
 
 #include "core/base/math.h"
 #include "core/transport/ray_counts.h"
@@ -46,10 +47,11 @@ public:
     virtual Retrace retrace(const TraceContext&, int x, int y, int pass) const = 0;
 
     /// Traces sample `pass` of all pixels of a tile again, row by row, and hands each to `each`, which may
-    /// keep no reference to it. Returns what was traced. Thread-safe.
+    /// keep no reference to it. Returns what was traced, or nothing if stop was requested on the way.
+    /// Thread-safe.
     using EachSample = std::function<void(int x, int y, const SampleRecord&, const Color& radiance)>;
-    virtual RayCounts retraceTile(const TraceContext&, const Tile&, int pass,
-                                  const EachSample& each) const = 0;
+    virtual std::optional<RayCounts> retraceTile(const TraceContext&, const Tile&, int pass,
+                                                 const EachSample& each) const = 0;
 };
 
 std::unique_ptr<Integrator> makeIntegrator(Method);

@@ -41,19 +41,19 @@ public:
         return result;
     }
 
-    RayCounts retraceTile(const TraceContext& context, const Tile& tile, int pass,
-                          const EachSample& each) const override {
+    std::optional<RayCounts> retraceTile(const TraceContext& context, const Tile& tile, int pass,
+                                         const EachSample& each) const override {
         RayCounts counts;
         specialised(context, [&]<Features F>(const auto& geometry) {
             TreeRecorder recorder; // one for all, so that its memory is taken once
             for (int y = tile.y0; y < tile.y1; ++y)
-                for (int x = tile.x0; x < tile.x1; ++x) {
+                for (int x = tile.x0; x < tile.x1 && !context.stop.stop_requested(); ++x) {
                     recorder.clear();
                     const Color radiance = sample<F>(context, geometry, counts, recorder, x, y, pass);
                     each(x, y, recorder.record, radiance);
                 }
         });
-        return counts;
+        return context.stop.stop_requested() ? std::nullopt : std::optional(counts);
     }
 
 private:
