@@ -12,6 +12,7 @@
 #include "core/image/decode.h"
 #include "core/image/metrics.h"
 #include "tests/app_process.h"
+#include "tests/read_pictures.h"
 
 namespace eyeray {
 namespace {
@@ -98,6 +99,60 @@ TEST_F(CommandLine, APictureIsWrittenInEachFormat) {
         EXPECT_EQ(said.err, "");
         EXPECT_EQ(textOf(folder / file).rfind(magic, 0), 0U) << file;
     }
+}
+
+TEST_F(CommandLine, ALayerIsWrittenInEachFormatThatHoldsItsValues) {
+    for (const char* layer : {"normal", "depth", "albedo", "id", "cost", "rays", "eye", "shadow",
+                              "reflection", "refraction", "lamp.sun"})
+        for (const char* ending : {"png", "exr", "hdr", "pfm", "ppm"}) {
+            const std::string file = fmt::format("{}.{}", layer, ending);
+            const Said said = render("homage", file, {"--layer", layer});
+            const bool negative = std::string(layer) == "normal" || std::string(layer) == "id";
+            if (negative && std::string(ending) == "hdr") {
+                expectOneLine(said, 2);
+                continue;
+            }
+            EXPECT_EQ(said.code, 0) << said.err;
+            EXPECT_GT(fs::file_size(folder / file), 64U * 36U / 4U) << file;
+        }
+    EXPECT_EQ(render("homage", "a.png").code, 0);
+    EXPECT_EQ(render("homage", "b.png", {"--layer", "color"}).code, 0);
+    EXPECT_EQ(picture("a.png"), picture("b.png"));
+}
+
+TEST_F(CommandLine, APictureOfALayerSaysWhatItsColorsStandForAndIsRenderedAgainFromItself) {
+    const Said said = render("homage", "depth.png", {"--layer", "depth"});
+    EXPECT_EQ(said.err.rfind("eyeray: depth: ", 0), 0U) << said.err;
+    const auto text = readPngText(readFile(folder / "depth.png", 1U << 26U), "depth.png");
+    EXPECT_EQ("eyeray: " + text.at("eyeray.range") + "\n", said.err);
+    EXPECT_NE(text.at("eyeray.commands").find("layer name=depth"), std::string::npos);
+    ASSERT_EQ(render("depth.png", "again.png").code, 0);
+    EXPECT_EQ(picture("again.png"), picture("depth.png"));
+    ASSERT_EQ(render("homage", "color.png").code, 0);
+    EXPECT_NE(picture("color.png"), picture("depth.png"));
+}
+
+TEST_F(CommandLine, AllLayersStandInOneExr) {
+    ASSERT_EQ(render("homage", "all.exr", {"--layer", "all", "--stats", "stats.json"}).code, 0);
+    ASSERT_EQ(render("homage", "color.exr").code, 0);
+    const auto all = readFile(folder / "all.exr", 1U << 28U),
+               color = readFile(folder / "color.exr", 1U << 28U);
+    EXPECT_EQ(readExr(all).image, readExr(color).image) << "the picture itself, bit for bit";
+    const std::string bytes(reinterpret_cast<const char*>(all.data()), 4000);
+    for (const char* channel : {"normal.X", "depth.Z", "albedo.R", "id.Y", "cost.Y", "rays.Y", "recursion.Y",
+                                "error.Y", "samples.Y", "eye.R", "shadow.G", "lamp.sun.B", "rest.R"})
+        EXPECT_NE(bytes.find(channel), std::string::npos) << channel;
+    const auto stats = nlohmann::json::parse(textOf(folder / "stats.json"));
+    EXPECT_EQ(stats.at("samples"), 2);
+    EXPECT_EQ(stats.at("rays").at("eye"), 64 * 36 * 2);
+}
+
+TEST_F(CommandLine, AWrongLayerIsRefusedInOneLine) {
+    expectOneLine(render("homage", "a.png", {"--layer", "kolor"}), 2);
+    expectOneLine(render("homage", "a.png", {"--layer", "lamp.7"}), 2);
+    expectOneLine(render("homage", "a.png", {"--layer", "all"}), 2);
+    expectOneLine(render("homage", "a.png", {"--layer", "rays", "--error", "0.01"}), 2);
+    EXPECT_FALSE(fs::exists(folder / "a.png"));
 }
 
 TEST_F(CommandLine, StatisticsHaveTheKeysOfTheContract) {

@@ -123,7 +123,7 @@ std::variant<Options, int> parseCommandLine(int argc, const char* const* argv) {
     RenderOptions render;
     SnapshotOptions snapshot;
     InspectOptions inspect;
-    std::string size, play, stats, widgets, pixel, inspected;
+    std::string size, play, stats, layer, widgets, pixel, inspected;
 
     CLI::App* viewing = app.add_subcommand("view", "open the viewer");
     addScene(*viewing, view.picture, false);
@@ -135,6 +135,11 @@ std::variant<Options, int> parseCommandLine(int argc, const char* const* argv) {
     addScene(*rendering, render.picture, true);
     rendering->add_option("-o,--output", render.output, "file to write")->required()->type_name("FILE");
     addPicture(*rendering, render.picture);
+    rendering
+        ->add_option("--layer", layer,
+                     "color, normal, depth, albedo, id, cost, rays, recursion, error, samples, a ray kind, "
+                     "lamp.NAME, rest; or all, in one .exr")
+        ->type_name("NAME");
     rendering->add_option("--stats", stats, "write figures as JSON")->type_name("FILE");
     rendering->add_flag("--quiet", render.quiet, "no progress line");
 
@@ -181,6 +186,7 @@ std::variant<Options, int> parseCommandLine(int argc, const char* const* argv) {
         refuse(error);
     }
     if (!widgets.empty()) view.widgets = widgets;
+    if (!layer.empty()) render.layer = layer;
     if (!stats.empty()) render.stats = stats;
     if (!play.empty()) snapshot.play = play;
     if (!size.empty()) setWindowSize(snapshot, size);

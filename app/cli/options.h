@@ -25,9 +25,12 @@ struct ViewOptions {
     std::optional<std::filesystem::path> widgets; // where the rectangles of widgets are written at each frame
 };
 
+inline constexpr const char* kAllLayers = "all";
+
 struct RenderOptions {
     PictureOptions picture;
     std::filesystem::path output;
+    std::optional<std::string> layer; // a layer's name, or kAllLayers
     std::optional<std::filesystem::path> stats;
     bool quiet = false;
 };

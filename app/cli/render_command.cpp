@@ -6,8 +6,8 @@
 #include <cstdio>
 #include <nlohmann/json.hpp>
 
+#include "app/cli/render_job.h"
 #include "app/cli/run.h"
-#include "app/document/picture_file.h"
 #include "core/base/errors.h"
 #include "core/image/atomic_file.h"
 #include "core/render/render_session.h"
@@ -22,32 +22,21 @@ constexpr double kDefaultAspect = 16.0 / 9;
 constexpr int kDefaultSamples = 16; // where no option says when to stop
 constexpr auto kProgressInterval = std::chrono::milliseconds(100);
 
-volatile std::sig_atomic_t interrupted = 0;
+volatile std::sig_atomic_t interruption = 0;
 
 double secondsSince(Clock::time_point start) {
     return std::chrono::duration<double>(Clock::now() - start).count();
 }
 
-void showProgress(const RenderStatus& status, const StopSettings& stop) {
-    const double done = status.samples + status.passProgress;
-    double left =
-        stop.samples > 0 && done > 0 ? status.seconds / std::max(done, 1e-3) * (stop.samples - done) : 0;
-    if (stop.seconds > 0) left = std::min(left, stop.seconds - status.seconds);
-    fmt::print(stderr, "\r{:5.1f} of {} samples, {:.1f} s left, {:.2f} Mrays/s   ", done, stop.samples,
-               std::max(0.0, left), status.mraysPerSecond());
-    std::fflush(stderr);
-}
-
 /// Renders until done or interrupted.
-RenderStatus render(RenderSession& session, const std::shared_ptr<const World>& world,
-                    const Document& document, const RenderSettings& settings, bool progress) {
-    session.start(world, document.camera, settings);
+RenderStatus render(RenderSession& session, const RenderJob& job, bool progress) {
+    session.start(job.world, job.document.camera, job.settings);
     RenderStatus status = session.wait(kProgressInterval);
-    while (status.active() && interrupted == 0) {
-        if (progress) showProgress(status, settings.stop);
+    while (status.active() && !interrupted()) {
+        if (progress) showProgress(status, job.settings.stop);
         status = session.wait(kProgressInterval);
     }
-    if (progress) fmt::print(stderr, "\r\033[K");
+    if (progress) endProgress();
     session.stop();
     status = session.status();
     if (status.phase == RenderStatus::Phase::Failed)
@@ -55,24 +44,24 @@ RenderStatus render(RenderSession& session, const std::shared_ptr<const World>& 
     return status;
 }
 
-nlohmann::json statistics(const OpenedScene& opened, const World& world, const RenderSettings& settings,
-                          const RenderStatus& status, double buildSeconds, double firstImage) {
+nlohmann::json statistics(const RenderJob& job, const RenderStatus& status) {
     rusage usage{};
     getrusage(RUSAGE_SELF, &usage);
     nlohmann::json rays;
     for (int kind = 0; kind < kRayKinds; ++kind)
         rays[std::string(kRayKindNames[static_cast<std::size_t>(kind)])] =
             status.counts.rays[static_cast<std::size_t>(kind)];
-    return {{"scene", opened.reference},
-            {"width", settings.width},
-            {"height", settings.height},
+    const World& world = *job.world;
+    return {{"scene", job.opened.reference},
+            {"width", job.settings.width},
+            {"height", job.settings.height},
             {"samples", status.samples},
             {"threads", status.threads},
-            {"method", kMethodNames[static_cast<std::size_t>(settings.trace.method)]},
+            {"method", kMethodNames[static_cast<std::size_t>(job.settings.trace.method)]},
             {"seconds",
-             {{"load", opened.loadSeconds},
-              {"build", buildSeconds},
-              {"first_image", firstImage},
+             {{"load", job.opened.loadSeconds},
+              {"build", job.buildSeconds},
+              {"first_image", status.secondsToFirstPass},
               {"render", status.seconds}}},
             {"rays", rays},
             {"mrays_per_second", status.mraysPerSecond()},
@@ -88,6 +77,34 @@ nlohmann::json statistics(const OpenedScene& opened, const World& world, const R
             {"peak_rss_bytes", static_cast<std::int64_t>(usage.ru_maxrss) * 1024}};
 }
 
+}
+
+bool interrupted() { return interruption != 0; }
+
+bool showsProgress(const RenderOptions& options) { return !options.quiet && isatty(STDERR_FILENO) != 0; }
+
+void showProgress(const RenderStatus& status, const StopSettings& stop) {
+    const double done = status.samples + status.passProgress;
+    double left =
+        stop.samples > 0 && done > 0 ? status.seconds / std::max(done, 1e-3) * (stop.samples - done) : 0;
+    if (stop.seconds > 0) left = std::min(left, stop.seconds - status.seconds);
+    fmt::print(stderr, "\r{:5.1f} of {} samples, {:.1f} s left, {:.2f} Mrays/s   ", done, stop.samples,
+               std::max(0.0, left), status.mraysPerSecond());
+    std::fflush(stderr);
+}
+
+void endProgress() { fmt::print(stderr, "\r\033[K"); }
+
+PictureState stateOf(const RenderJob& job) {
+    PictureState state{job.opened.reference, job.opened.sha256, {}};
+    for (const Command& command : commandsBetween(makeDocument(job.document.scene), job.document))
+        state.commands.push_back(command.text());
+    return state;
+}
+
+void meterExposure(RenderJob& job, const ColorImage& picture) {
+    if (job.opened.meterExposure)
+        job.document.render.display.exposure = std::clamp(meteredExposure(picture), -20.0, 20.0);
 }
 
 void checkOutput(const std::filesystem::path& output) {
@@ -117,12 +134,16 @@ OpenedScene openFor(const PictureOptions& options) {
     return opened;
 }
 
-int run(const RenderOptions& options) {
-    checkOutput(options.output);
-    const OpenedScene opened = openFor(options.picture);
-    Document document = opened.document;
-    RenderSettings settings = document.render;
-    setSize(settings, options.picture, document.aspect);
+namespace {
+
+RenderJob prepare(const RenderOptions& options) {
+    RenderJob job;
+    job.opened = openFor(options.picture);
+    job.document = job.opened.document;
+    if (options.layer && *options.layer != kAllLayers)
+        job.document = apply(job.document, {"layer", {{"name", *options.layer}}});
+    RenderSettings& settings = job.settings = job.document.render;
+    setSize(settings, options.picture, job.document.aspect);
     settings.firstPass = options.picture.firstPass;
     settings.coarse = false;
     const auto given = [&](const char* key) {
@@ -133,39 +154,46 @@ int run(const RenderOptions& options) {
     if (!given("seconds")) settings.stop.seconds = 0;
     if (!options.picture.stops) settings.stop.samples = kDefaultSamples;
     if (options.picture.stops && !given("samples")) settings.stop.samples = 1 << 20;
+    return job;
+}
 
-    std::signal(SIGINT, [](int) { interrupted = 1; });
-    std::signal(SIGTERM, [](int) { interrupted = 1; });
-    const auto buildStart = Clock::now();
-    const auto world = buildWorld(document.scene, document.build);
-    const double buildSeconds = secondsSince(buildStart);
-
-    RenderSession session(document.threads);
-    const bool progress = !options.quiet && isatty(STDERR_FILENO) != 0;
-    const RenderStatus status = render(session, world, document, settings, progress);
+/// Renders the picture itself; nothing is written if it is broken off before its first sample is whole.
+std::optional<RenderStatus> renderPicture(RenderJob& job, const RenderOptions& options) {
+    RenderSession session(job.document.threads);
+    const RenderStatus status = render(session, job, showsProgress(options));
     const ColorImage image = session.image();
-    if (image.empty()) {
+    if (image.empty()) return std::nullopt;
+    meterExposure(job, image);
+    writePicture(options.output, image, job.document.render.display, stateOf(job));
+    return status;
+}
+
+}
+
+int run(const RenderOptions& options) {
+    checkOutput(options.output);
+    RenderJob job = prepare(options);
+    const std::vector<Layer> layers = layersFor(job, options);
+    std::signal(SIGINT, [](int) { interruption = 1; });
+    std::signal(SIGTERM, [](int) { interruption = 1; });
+    const auto buildStart = Clock::now();
+    job.world = buildWorld(job.document.scene, job.document.build);
+    job.buildSeconds = secondsSince(buildStart);
+
+    const auto status = layers.empty() ? renderPicture(job, options) : renderLayers(job, options, layers);
+    if (!status) {
         fmt::print(stderr, "eyeray: interrupted before the first sample was whole: nothing is written\n");
         return 1;
     }
-    if (opened.meterExposure)
-        document.render.display.exposure = std::clamp(meteredExposure(image), -20.0, 20.0);
-
-    PictureState state{opened.reference, opened.sha256, {}};
-    for (const Command& command : commandsBetween(makeDocument(document.scene), document))
-        state.commands.push_back(command.text());
-    writePicture(options.output, image, document.render.display, state);
     if (options.stats) {
-        const std::string text =
-            statistics(opened, *world, settings, status, buildSeconds, status.secondsToFirstPass).dump(2) +
-            "\n";
+        const std::string text = statistics(job, *status).dump(2) + "\n";
         writeFileAtomically(*options.stats, std::as_bytes(std::span(text)));
     }
-    if (interrupted != 0)
-        fmt::print(stderr, "eyeray: interrupted: {} whole samples are written\n", status.samples);
-    if (status.counts.invalidSamples > 0)
+    if (interrupted())
+        fmt::print(stderr, "eyeray: interrupted: {} whole samples are written\n", status->samples);
+    if (status->counts.invalidSamples > 0)
         fmt::print(stderr, "eyeray: {} samples were not finite and count as black\n",
-                   status.counts.invalidSamples);
+                   status->counts.invalidSamples);
     return 0;
 }
 

@@ -165,29 +165,32 @@ void addLightChanges(std::vector<Command>& commands, const std::vector<Light>& f
     }
 }
 
+void addSceneChanges(std::vector<Command>& commands, const Scene& from, const Scene& to) {
+    for (std::size_t i = 0; i < to.objects.size(); ++i)
+        addChanged(commands, "object", "object", fmt::format("{}", i),
+                   changes(from.objects[i], to.objects[i]));
+    for (std::size_t i = 0; i < to.materials.size(); ++i)
+        addChanged(commands, "material", "material", fmt::format("{}", i),
+                   changes(from.materials[i], to.materials[i]));
+    addLightChanges(commands, from.lights, to.lights);
+
+    Arguments sky;
+    ifChanged(sky, "zenith", from.environment.zenith, to.environment.zenith);
+    ifChanged(sky, "horizon", from.environment.horizon, to.environment.horizon);
+    ifChanged(sky, "nadir", from.environment.nadir, to.environment.nadir);
+    if (!sky.empty()) commands.emplace_back("environment", sky);
+    if (from.ambient != to.ambient) commands.push_back({"ambient", {{"color", toText(to.ambient)}}});
+}
+
 }
 
 std::vector<Command> commandsBetween(const Document& from, const Document& to) {
     std::vector<Command> commands;
     for (const Command& command : {changedSettings(from, to), changedCamera(from.camera, to.camera)})
         if (!command.arguments().empty()) commands.push_back(command);
-    if (from.scene == to.scene) return commands;
-
-    for (std::size_t i = 0; i < to.scene->objects.size(); ++i)
-        addChanged(commands, "object", "object", fmt::format("{}", i),
-                   changes(from.scene->objects[i], to.scene->objects[i]));
-    for (std::size_t i = 0; i < to.scene->materials.size(); ++i)
-        addChanged(commands, "material", "material", fmt::format("{}", i),
-                   changes(from.scene->materials[i], to.scene->materials[i]));
-    addLightChanges(commands, from.scene->lights, to.scene->lights);
-
-    Arguments sky;
-    ifChanged(sky, "zenith", from.scene->environment.zenith, to.scene->environment.zenith);
-    ifChanged(sky, "horizon", from.scene->environment.horizon, to.scene->environment.horizon);
-    ifChanged(sky, "nadir", from.scene->environment.nadir, to.scene->environment.nadir);
-    if (!sky.empty()) commands.emplace_back("environment", sky);
-    if (from.scene->ambient != to.scene->ambient)
-        commands.push_back({"ambient", {{"color", toText(to.scene->ambient)}}});
+    if (from.scene != to.scene) addSceneChanges(commands, *from.scene, *to.scene);
+    const std::string layer = shownLayer(to).name; // after the lamp it may be of
+    if (shownLayer(from).name != layer) commands.push_back({"layer", {{"name", layer}}});
     return commands;
 }
 

@@ -35,8 +35,8 @@ Document apply(const Document& document, const Command& command) {
 std::span<const DocumentCommand> documentCommands() {
     static const std::vector<DocumentCommand> all = [] {
         std::vector<DocumentCommand> commands;
-        for (const auto group :
-             {renderingCommands(), cameraCommands(), objectCommands(), lightCommands(), materialCommands()})
+        for (const auto group : {renderingCommands(), cameraCommands(), objectCommands(), lightCommands(),
+                                 materialCommands(), viewCommands()})
             commands.insert(commands.end(), group.begin(), group.end());
         return commands;
     }();

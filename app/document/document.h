@@ -3,12 +3,14 @@
 
 #include <memory>
 #include <optional>
+#include <string>
 
 #include "app/document/command.h"
 #include "core/render/render_settings.h"
 #include "core/scene/camera.h"
 #include "core/scene/scene.h"
 #include "core/scene/world.h"
+#include "core/study/layer.h"
 
 namespace eyeray {
 
@@ -17,13 +19,26 @@ struct PixelPosition {
     friend bool operator==(const PixelPosition&, const PixelPosition&) = default;
 };
 
+/// The picture beside the same one under other settings.
+struct Comparison {
+    bool on = false;
+    std::string with = "max-depth=1"; // settings of the other side, as `set` takes them
+    double split = 0.5;               // share of the width, from the left, that shows the other side
+    bool difference = false;          // in place of both sides: gain · |this − other|
+    double gain = 8;
+
+    friend bool operator==(const Comparison&, const Comparison&) = default;
+};
+
 struct Document {
     std::shared_ptr<const Scene> scene;
     Camera camera;
     RenderSettings render; // its width and height are set where the picture is shown
     BuildSettings build;
-    int threads = 0;   // that trace; 0: one per core
-    double aspect = 0; // width / height of the picture; 0: free, as large as its place
+    int threads = 0;             // that trace; 0: one per core
+    double aspect = 0;           // width / height of the picture; 0: free, as large as its place
+    std::string layer = "color"; // shown, by its name
+    Comparison comparison;
     int selectedObject = -1;
     std::optional<PixelPosition> pixel; // picked
 };
@@ -36,8 +51,15 @@ Document makeDocument(std::shared_ptr<const Scene>);
 /// not know.
 Document apply(const Document&, const Command&);
 
+/// The layer that the document shows; the picture itself if the scene has lost the lamp it is of.
+Layer shownLayer(const Document&);
+
+/// The document under the settings that it is compared with. Throws InputError if they are none, or such as
+/// need another index or picture size.
+Document otherSide(const Document&);
+
 /// The commands that bring `from` to `to`, for the same scene file: apply(from, each) gives a document that
-/// renders the same picture. Selection and picked pixel are left out.
+/// renders the same picture. Selection, picked pixel and comparison are left out.
 std::vector<Command> commandsBetween(const Document& from, const Document& to);
 
 }

@@ -5,6 +5,7 @@
 #include "core/base/errors.h"
 #include "core/image/atomic_file.h"
 #include "core/image/decode.h"
+#include "core/study/layer_picture.h"
 
 namespace eyeray {
 namespace {
@@ -14,6 +15,7 @@ namespace fs = std::filesystem;
 constexpr const char* kSceneKey = "eyeray.scene";
 constexpr const char* kHashKey = "eyeray.sha256";
 constexpr const char* kCommandsKey = "eyeray.commands";
+constexpr const char* kRangeKey = "eyeray.range";
 constexpr std::size_t kMostBytes = 512U << 20U;
 
 }
@@ -52,6 +54,37 @@ void writePicture(const fs::path& path, const ColorImage& radiance, const Displa
     writeFileAtomically(path, holdsRadiance(format)
                                   ? encodeRadiance(radiance, format, metadata)
                                   : encodeDisplayed(display(radiance, settings), format, metadata));
+}
+
+void checkLayerFile(const fs::path& path, const Layer& layer) {
+    const bool signedValues = layer.quantity == Quantity::Normal || layer.quantity == Quantity::Object;
+    if (signedValues && formatOf(path) == ImageFormat::Hdr)
+        throw InputError(
+            path.string(),
+            fmt::format("an .hdr file cannot hold the negative values of the layer {}", layer.name),
+            "end the name in .exr, .pfm or .png");
+}
+
+void writeLayer(const fs::path& path, const LayerImage& layer, const DisplaySettings& settings,
+                const PictureState& state) {
+    checkLayerFile(path, layer.layer);
+    const ImageFormat format = formatOf(path);
+    const LayerRange range = hasRange(layer.layer.quantity) ? rangeOf(layer) : LayerRange{};
+    Metadata metadata = toMetadata(state, path.parent_path());
+    if (hasRange(layer.layer.quantity)) metadata.emplace_back(kRangeKey, rangeText(layer, range));
+    writeFileAtomically(path, holdsRadiance(format)
+                                  ? encodeRadiance(layer.values, format, metadata)
+                                  : encodeDisplayed(displayLayer(layer, range, settings), format, metadata));
+}
+
+void writeLayers(const fs::path& path, const std::vector<LayerImage>& layers, const PictureState& state) {
+    if (formatOf(path) != ImageFormat::Exr)
+        throw InputError(path.string(), "only an .exr file can hold all layers",
+                         "end the name in .exr, or ask for one layer");
+    std::vector<ImageChannel> channels;
+    for (const LayerImage& layer : layers)
+        for (ImageChannel& channel : channelsOf(layer)) channels.push_back(std::move(channel));
+    writeFileAtomically(path, encodeChannels(channels, toMetadata(state, path.parent_path())));
 }
 
 fs::path freeName(const fs::path& folder, const std::string& stem) {

@@ -8,6 +8,7 @@
 #include "app/document/document.h"
 #include "core/image/encode.h"
 #include "core/image/pixels.h"
+#include "core/study/layer_film.h"
 
 namespace eyeray {
 
@@ -29,6 +30,19 @@ PictureState readPictureState(const std::filesystem::path& picture);
 /// another ending, Failure.
 void writePicture(const std::filesystem::path&, const ColorImage& radiance, const DisplaySettings&,
                   const PictureState&);
+
+/// Says before the work what would go wrong after it: throws InputError if a file of this name cannot hold
+/// the layer's values.
+void checkLayerFile(const std::filesystem::path&, const Layer&);
+
+/// Writes one layer by the ending of its name: its values to EXR and PFM (and HDR, where none is negative) as
+/// red, green and blue, what a screen shows of it to PNG and PPM. A PNG and an EXR say what range its colours
+/// stand for. Throws as writePicture does.
+void writeLayer(const std::filesystem::path&, const LayerImage&, const DisplaySettings&, const PictureState&);
+
+/// Writes layers of one picture into one EXR, each in channels of its name. Throws InputError for another
+/// ending.
+void writeLayers(const std::filesystem::path&, const std::vector<LayerImage>&, const PictureState&);
 
 /// First name of the form `folder/stem-NNN.png` that is free.
 std::filesystem::path freeName(const std::filesystem::path& folder, const std::string& stem);

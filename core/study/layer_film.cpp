@@ -24,11 +24,15 @@ TraceContext ofFirstHit(TraceContext context) {
     return context;
 }
 
-/// Microseconds that one sample takes the tracer as it renders.
+/// Microseconds that one sample takes the tracer as it renders: the lesser of two times, for now and then
+/// the machine does something else meanwhile.
 double costOf(const TraceContext& context, const Integrator& integrator, int x, int y, int pass) {
-    const auto start = std::chrono::steady_clock::now();
-    integrator.renderTile(context, {x, y, x + 1, y + 1, 1}, pass);
-    return std::chrono::duration<double, std::micro>(std::chrono::steady_clock::now() - start).count();
+    const auto once = [&] {
+        const auto start = std::chrono::steady_clock::now();
+        integrator.renderTile(context, {x, y, x + 1, y + 1, 1}, pass);
+        return std::chrono::duration<double, std::micro>(std::chrono::steady_clock::now() - start).count();
+    };
+    return std::min(once(), once());
 }
 
 }
@@ -147,6 +151,17 @@ int LayerFilm::passes() const {
 RayCounts LayerFilm::counts() const {
     const std::scoped_lock lock(mutex_);
     return counts_;
+}
+
+void traceLayers(LayerFilm& film, const std::shared_ptr<const World>& world, const Camera& camera,
+                 const RenderSettings& settings, int threads, const std::stop_token& stop) {
+    lowerThreadPriority();
+    ThreadPool pool(threads);
+    const auto integrator = makeIntegrator(settings.trace.method);
+    const TraceContext context(world, camera, settings.trace, settings.width, settings.height, settings.seed,
+                               stop);
+    for (int pass = 0; pass < settings.stop.samples; ++pass)
+        if (!film.addPass(context, *integrator, settings.firstPass + pass, pool)) return;
 }
 
 }

@@ -6,6 +6,7 @@
 
 #include "core/base/thread_pool.h"
 #include "core/image/pixels.h"
+#include "core/render/render_settings.h"
 #include "core/study/layer.h"
 #include "core/transport/integrator.h"
 
@@ -60,5 +61,10 @@ private:
     int passes_ = 0;
     RayCounts counts_;
 };
+
+/// Adds the passes that the settings ask for, from settings.firstPass on, until `stop`; 0 threads: one per
+/// core.
+void traceLayers(LayerFilm&, const std::shared_ptr<const World>&, const Camera&, const RenderSettings&,
+                 int threads, const std::stop_token& stop);
 
 }
