@@ -36,12 +36,19 @@ public:
     const PFNGLSCISSORPROC scissor = load("glScissor");
     const PFNGLBLENDEQUATIONPROC blendEquation = load("glBlendEquation");
     const PFNGLBLENDFUNCSEPARATEPROC blendFuncSeparate = load("glBlendFuncSeparate");
+    const PFNGLDEPTHFUNCPROC depthFunc = load("glDepthFunc");
+    const PFNGLDEPTHMASKPROC depthMask = load("glDepthMask");
+    const PFNGLFRONTFACEPROC frontFace = load("glFrontFace");
     const PFNGLPOLYGONMODEPROC polygonMode = load("glPolygonMode");
     const PFNGLCOLORMASKPROC colorMask = load("glColorMask");
     const PFNGLCLEARCOLORPROC clearColor = load("glClearColor");
     const PFNGLCLEARPROC clear = load("glClear");
+    const PFNGLCLEARBUFFERFVPROC clearBufferfv = load("glClearBufferfv");
+    const PFNGLCLEARBUFFERIVPROC clearBufferiv = load("glClearBufferiv");
     const PFNGLPIXELSTOREIPROC pixelStorei = load("glPixelStorei");
     const PFNGLREADPIXELSPROC readPixels = load("glReadPixels");
+    const PFNGLREADBUFFERPROC readBuffer = load("glReadBuffer");
+    const PFNGLDRAWBUFFERSPROC drawBuffers = load("glDrawBuffers");
     const PFNGLGETINTEGERVPROC getIntegerv = load("glGetIntegerv");
     // textures and framebuffers
     const PFNGLGENTEXTURESPROC genTextures = load("glGenTextures");
@@ -57,6 +64,13 @@ public:
     const PFNGLBINDFRAMEBUFFERPROC bindFramebuffer = load("glBindFramebuffer");
     const PFNGLFRAMEBUFFERTEXTURE2DPROC framebufferTexture2D = load("glFramebufferTexture2D");
     const PFNGLCHECKFRAMEBUFFERSTATUSPROC checkFramebufferStatus = load("glCheckFramebufferStatus");
+    const PFNGLBLITFRAMEBUFFERPROC blitFramebuffer = load("glBlitFramebuffer");
+    const PFNGLGENRENDERBUFFERSPROC genRenderbuffers = load("glGenRenderbuffers");
+    const PFNGLDELETERENDERBUFFERSPROC deleteRenderbuffers = load("glDeleteRenderbuffers");
+    const PFNGLBINDRENDERBUFFERPROC bindRenderbuffer = load("glBindRenderbuffer");
+    const PFNGLRENDERBUFFERSTORAGEMULTISAMPLEPROC renderbufferStorageMultisample =
+        load("glRenderbufferStorageMultisample");
+    const PFNGLFRAMEBUFFERRENDERBUFFERPROC framebufferRenderbuffer = load("glFramebufferRenderbuffer");
     // programs
     const PFNGLCREATESHADERPROC createShader = load("glCreateShader");
     const PFNGLDELETESHADERPROC deleteShader = load("glDeleteShader");
@@ -74,6 +88,12 @@ public:
     const PFNGLGETUNIFORMLOCATIONPROC getUniformLocation = load("glGetUniformLocation");
     const PFNGLUNIFORM1IPROC uniform1i = load("glUniform1i");
     const PFNGLUNIFORM2FPROC uniform2f = load("glUniform2f");
+    const PFNGLUNIFORM1FPROC uniform1f = load("glUniform1f");
+    const PFNGLUNIFORM3FPROC uniform3f = load("glUniform3f");
+    const PFNGLUNIFORM4FPROC uniform4f = load("glUniform4f");
+    const PFNGLUNIFORM4FVPROC uniform4fv = load("glUniform4fv");
+    const PFNGLUNIFORMMATRIX3FVPROC uniformMatrix3fv = load("glUniformMatrix3fv");
+    const PFNGLUNIFORMMATRIX4FVPROC uniformMatrix4fv = load("glUniformMatrix4fv");
     // vertices
     const PFNGLGENVERTEXARRAYSPROC genVertexArrays = load("glGenVertexArrays");
     const PFNGLDELETEVERTEXARRAYSPROC deleteVertexArrays = load("glDeleteVertexArrays");
@@ -85,6 +105,8 @@ public:
     const PFNGLENABLEVERTEXATTRIBARRAYPROC enableVertexAttribArray = load("glEnableVertexAttribArray");
     const PFNGLVERTEXATTRIBPOINTERPROC vertexAttribPointer = load("glVertexAttribPointer");
     const PFNGLDRAWELEMENTSBASEVERTEXPROC drawElementsBaseVertex = load("glDrawElementsBaseVertex");
+    const PFNGLDRAWARRAYSPROC drawArrays = load("glDrawArrays");
+    const PFNGLDRAWELEMENTSPROC drawElements = load("glDrawElements");
 };
 
 }
