@@ -40,6 +40,7 @@ constexpr std::array kActions = {
     Action{"Camera", "Narrower field of view", "Shift+F", "adjust key=fov by=-5"},
     Action{"Camera", "Fly: W A S D move, Q E down and up", "V", "fly"},
 
+    Action{"View", "Explain the picked pixel: rays, tree, sum", "E", "explain"},
     Action{"View", "Brighter", "B", "adjust key=exposure by=0.5"},
     Action{"View", "Darker", "Shift+B", "adjust key=exposure by=-0.5"},
     Action{"View", "Presenter size", "P", "presenter"},

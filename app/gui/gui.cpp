@@ -8,6 +8,7 @@
 #include "app/gui/actions.h"
 #include "app/gui/dialogs.h"
 #include "app/gui/gui_commands.h"
+#include "app/gui/layout.h"
 #include "app/gui/panels.h"
 #include "app/gui/theme.h"
 #include "app/platform/input.h"
@@ -19,8 +20,9 @@ namespace eyeray {
 namespace {
 
 constexpr float kPresenterScale = 1.6F;
-constexpr float kPanelWidth = 23;      // in letters' heights
-constexpr float kLeastPicture = 0.55F; // of the window's width; panels give way
+constexpr float kPanelWidth = 23;        // in letters' heights
+constexpr float kLeastPicture = 0.55F;   // of the window's width; panels give way
+constexpr float kLeastExplained = 0.66F; // likewise, with the views that explain
 
 constexpr ImGuiWindowFlags kFixed = ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize |
                                     ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoCollapse |
@@ -30,7 +32,8 @@ constexpr ImGuiWindowFlags kFixed = ImGuiWindowFlags_NoTitleBar | ImGuiWindowFla
 }
 
 Gui::Gui(Viewer& viewer, Platform& platform, Preferences preferences)
-    : viewer_(viewer), platform_(platform), preferences_(std::move(preferences)), picture_(platform.gl()) {
+    : viewer_(viewer), platform_(platform), preferences_(std::move(preferences)), picture_(platform.gl()),
+      rayPane_(platform.gl()) {
     setTheme(preferences_.dark);
     setPresenter(preferences_.presenter);
 }
@@ -74,7 +77,8 @@ void Gui::frame() {
     const ImGuiViewport& window = *ImGui::GetMainViewport();
     const float status = ImGui::GetFrameHeight() + 2 * ImGui::GetStyle().WindowPadding.y;
     const float wantedPanels = preferences_.panels ? ImGui::GetFontSize() * kPanelWidth : 0;
-    const float panelWidth = std::min(wantedPanels, window.WorkSize.x * (1 - kLeastPicture));
+    const float panelWidth = std::min(
+        wantedPanels, window.WorkSize.x * (1 - (preferences_.explain ? kLeastExplained : kLeastPicture)));
     const ImVec2 origin = window.WorkPos, size = window.WorkSize;
 
     ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, 0);
@@ -90,20 +94,61 @@ void Gui::frame() {
         panels(ui);
         ImGui::End();
     }
-    ImGui::SetNextWindowPos(origin);
-    ImGui::SetNextWindowSize({size.x - panelWidth, size.y - status});
-    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {0, 0});
-    ImGui::Begin("picture", nullptr,
-                 kFixed | ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse);
-    picture_.draw(ui);
-    ImGui::End();
-    ImGui::PopStyleVar(2);
+    middle(ui, origin, {size.x - panelWidth, size.y - status});
+    ImGui::PopStyleVar();
 
     noticesOverlay(ui, origin.x + size.x - panelWidth - ImGui::GetFontSize(),
                    origin.y + ImGui::GetFontSize());
     dialog(ui);
     viewer_.watchFile();
     animating_ = viewer_.update() || fly_ || viewer_.noticesPass();
+}
+
+/// The picture and, if asked for, what explains it.
+void Gui::middle(const Widgets& ui, ImVec2 at, ImVec2 size) {
+    constexpr ImGuiWindowFlags kStill =
+        kFixed | ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse;
+    const auto begin = [](const char* name, const Area& area, ImGuiWindowFlags flags) {
+        ImGui::SetNextWindowPos(area.at);
+        ImGui::SetNextWindowSize(area.size);
+        ImGui::Begin(name, nullptr, flags);
+    };
+    const ExplainLayout layout = preferences_.explain ? explainLayout({at, size}, ImGui::GetFontSize())
+                                                      : ExplainLayout{{at, size}, {}, {}};
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {0, 0});
+    begin("picture", layout.picture, kStill);
+    picture_.draw(ui);
+    ImGui::End();
+    ImGui::PopStyleVar();
+    if (layout.rays) {
+        ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {6 * ui.scale, 4 * ui.scale});
+        begin("rays", *layout.rays, kStill);
+        rayPane_.draw(ui, picture_);
+        ImGui::End();
+        ImGui::PopStyleVar();
+    }
+    if (layout.words) {
+        begin("words", *layout.words, kFixed);
+        explainingTabs(ui);
+        ImGui::End();
+    }
+}
+
+/// The picked pixel in words and numbers.
+void Gui::explainingTabs(const Widgets& ui) const {
+    if (!viewer_.hasScene() || !ImGui::BeginTabBar("explain")) return;
+    struct Tab {
+        const char* label;
+        void (*draw)(const Widgets&);
+    };
+    for (const Tab& tab : {Tab{"Tree", treeView}, Tab{"Sum", ledgerView}}) {
+        const bool open = ImGui::BeginTabItem(tab.label);
+        ui.mark(fmt::format("tab {}", tab.label));
+        if (!open) continue;
+        tab.draw(ui);
+        ImGui::EndTabItem();
+    }
+    ImGui::EndTabBar();
 }
 
 void Gui::panels(const Widgets& ui) {

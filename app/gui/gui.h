@@ -9,6 +9,7 @@
 #include "app/gui/file_dialog.h"
 #include "app/gui/picture_view.h"
 #include "app/gui/preferences.h"
+#include "app/gui/ray_pane.h"
 #include "app/gui/widgets.h"
 #include "app/platform/platform.h"
 #include "app/viewer/viewer.h"
@@ -50,6 +51,8 @@ public:
     void setTheme(bool dark);
     void setPresenter(bool);
     void setPanels(bool shown) { preferences_.panels = shown; }
+    void setExplain(bool on) { preferences_.explain = on; }
+    RayPane& rayPane() { return rayPane_; }
     void setFly(bool on) { fly_ = on; }
     bool fly() const { return fly_; }
     void saveWindow(std::filesystem::path file) { windowFile_ = std::move(file); }
@@ -59,6 +62,8 @@ private:
     void flyKeys();
     void menuBar(const Widgets&);
     void recentMenu(const Widgets&);
+    void middle(const Widgets&, ImVec2 at, ImVec2 size);
+    void explainingTabs(const Widgets&) const;
     void panels(const Widgets&);
     void dialog(const Widgets&);
     void fileDialog(const Widgets&);
@@ -67,6 +72,7 @@ private:
     Platform& platform_;
     Preferences preferences_;
     PictureView picture_;
+    RayPane rayPane_;
     FileDialog files_;
     std::map<std::string, WidgetRect> widgets_;
     Dialog dialog_ = Dialog::None;

@@ -38,6 +38,8 @@ void presenter(Gui& gui, const Command& command) {
     gui.setPresenter(wanted(command, gui.preferences().presenter));
 }
 void panels(Gui& gui, const Command& command) { gui.setPanels(wanted(command, gui.preferences().panels)); }
+void explain(Gui& gui, const Command& command) { gui.setExplain(wanted(command, gui.preferences().explain)); }
+void rayview(Gui& gui, const Command& command) { gui.rayPane().execute(command); }
 void fly(Gui& gui, const Command& command) { gui.setFly(wanted(command, gui.fly())); }
 void fullscreen(Gui& gui, const Command& command) {
     gui.platform().setFullscreen(wanted(command, gui.platform().fullscreen()));
@@ -97,6 +99,12 @@ constexpr std::array kCommands = {
     GuiCommand{"theme", "name=dark|light", "Chooses the theme.", theme},
     GuiCommand{"presenter", "on=on|off", "Large text for the back row.", presenter},
     GuiCommand{"panels", "on=on|off", "Shows or hides the panels.", panels},
+    GuiCommand{"explain", "on=on|off", "Shows the picked pixel's rays in space, its tree and its sum.",
+               explain},
+    GuiCommand{"rayview",
+               "view=frame|follow|top|side|front yaw=DEG pitch=DEG right=M up=M dolly=F "
+               "show=pixel|row|column|grid step=N labels=on|off",
+               "Moves the outside camera; chooses whose rays are drawn.", rayview},
     GuiCommand{"fullscreen", "on=on|off", "Fills the screen.", fullscreen},
     GuiCommand{"fly", "on=on|off", "W A S D Q E move the eye.", fly},
     GuiCommand{"deselect", "", "Selects no object and no pixel.", deselect},

@@ -72,6 +72,7 @@ void PictureView::refresh(const Widgets& ui) {
 }
 
 void PictureView::show(const std::vector<Tile>& tiles, const DisplaySettings& settings) {
+    ++version_;
     std::size_t pixels = 0;
     for (const Tile& tile : tiles) {
         const auto columns = static_cast<std::size_t>(tile.x1 - tile.x0);

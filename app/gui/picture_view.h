@@ -18,6 +18,9 @@ public:
 
     /// What the view shows, as displayed.
     const ByteImage& shown() const { return shown_; }
+    const GlTexture& texture() const { return texture_; }
+    /// Changes whenever what is shown does.
+    std::uint64_t version() const { return version_; }
 
 private:
     void refresh(const Widgets&);
@@ -30,6 +33,7 @@ private:
     GlTexture texture_;
     Picture picture_;
     ByteImage shown_;
+    std::uint64_t version_ = 0;
     std::optional<DisplaySettings> display_; // that `shown_` was made with
     int drags_ = 0;                          // counts them, so that each is one step of undo
     bool dragging_ = false;

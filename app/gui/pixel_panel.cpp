@@ -18,6 +18,7 @@ void pixelPanel(const Widgets& ui) {
                 static_cast<double>(c.b));
     const auto& rays = picked->trace.rays;
     dimmedText(fmt::format("{} rays of its sample {}", rays.size(), picked->sample));
+    ui.button("Rays in space, tree and sum", "explain", "shows or hides what explains this pixel; key E");
 }
 
 }

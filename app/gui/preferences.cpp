@@ -23,6 +23,7 @@ void read(Preferences& preferences, const Command& line) {
     preferences.dark = line.flag("dark").value_or(preferences.dark);
     preferences.presenter = line.flag("presenter").value_or(preferences.presenter);
     preferences.panels = line.flag("panels").value_or(preferences.panels);
+    preferences.explain = line.flag("explain").value_or(preferences.explain);
     preferences.maximized = line.flag("maximized").value_or(preferences.maximized);
     preferences.windowWidth =
         line.integer("width", kSmallestWindow, kLargestWindow).value_or(preferences.windowWidth);
@@ -62,6 +63,7 @@ void savePreferences(const Preferences& preferences, const fs::path& file) noexc
         std::string text = Command("window", {{"dark", toText(preferences.dark)},
                                               {"presenter", toText(preferences.presenter)},
                                               {"panels", toText(preferences.panels)},
+                                              {"explain", toText(preferences.explain)},
                                               {"maximized", toText(preferences.maximized)},
                                               {"width", fmt::format("{}", preferences.windowWidth)},
                                               {"height", fmt::format("{}", preferences.windowHeight)}})

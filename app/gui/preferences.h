@@ -11,6 +11,7 @@ struct Preferences {
     bool dark = true;
     bool presenter = false; // large text
     bool panels = true;     // shown
+    bool explain = false;   // rays in space, tree and sum beside the picture
     int windowWidth = 1440, windowHeight = 860;
     bool maximized = false;
     std::vector<std::string> recentScenes; // newest first

@@ -79,6 +79,19 @@ int Viewer::selectedRay() const {
 }
 
 void Viewer::setPictureSize(int width, int height) {
+    if (hasScene() && document().pixel && height_ > 0 && (width != width_ || height != height_)) {
+        // the picked pixel stays on what it shows: the field of view is vertical, about the middle
+        const double larger = static_cast<double>(height) / height_;
+        const auto kept = [&](int place, int before, int now) {
+            const double fromMiddle = (place + 0.5 - 0.5 * before) * larger;
+            return std::clamp(static_cast<int>(std::floor(0.5 * now + fromMiddle)), 0, std::max(0, now - 1));
+        };
+        Document moved = document();
+        moved.pixel =
+            PixelPosition{kept(moved.pixel->x, width_, width), kept(moved.pixel->y, height_, height)};
+        history_->replace(std::move(moved));
+        picked_.reset();
+    }
     width_ = width;
     height_ = height;
 }

@@ -1,0 +1,306 @@
+#include "app/gui/ray_pane.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "app/gl/imgui_renderer.h"
+#include "app/gui/sketch_view.h"
+#include "app/gui/theme.h"
+#include "core/base/errors.h"
+#include "core/study/palette.h"
+#include "core/study/wording.h"
+
+namespace eyeray {
+namespace {
+
+constexpr double kOrbitSpeed = 0.4; // degrees per pixel
+constexpr double kWheelStep = 0.9;
+constexpr float kClickSlop = 4;          // pixels: a press that moves less is a click
+constexpr float kNearArrow = 8;          // pixels at scale 1: a click hits an arrow so near
+constexpr std::size_t kMostPixels = 200; // whose rays are shown at once
+constexpr std::size_t kMostRays = 1000;  // beyond it nobody sees anything
+constexpr int kPixelsInLine = 24;        // of a row or column, if no step is given
+constexpr int kPixelsInGrid = 9;         // along the longer side, likewise
+
+Ink ink(std::uint32_t rgb) {
+    return Ink(static_cast<float>((rgb >> 16U) & 255U), static_cast<float>((rgb >> 8U) & 255U),
+               static_cast<float>(rgb & 255U), 255) /
+           255.0F;
+}
+Ink ink(const ImVec4& c) { return {c.x, c.y, c.z, c.w}; }
+
+RayStyle rayStyle(bool dark, float scale) {
+    RayStyle style;
+    for (int i = 0; i < kRayKinds; ++i)
+        style.kinds[static_cast<std::size_t>(i)] = ink(colorOfKind(static_cast<RayKind>(i), dark));
+    style.blocked = ink(errorColor(dark));
+    style.unlit = dark ? Ink(0.02F, 0.02F, 0.03F, 0.9F) : Ink(0.15F, 0.16F, 0.18F, 0.9F);
+    style.highlight = dark ? Ink(1) : ink(0x15181e);
+    style.text = ink(groundOf(dark).text);
+    style.ground = ink(groundOf(dark).paper);
+    style.scale = scale;
+    style.letter = ImGui::GetFontSize();
+    return style;
+}
+
+Backdrop backdropOf(bool dark) {
+    return dark ? Backdrop{Color(ink(0x3c4454)), Color(ink(0x1b1e25))}
+                : Backdrop{Color(ink(0xdfe6f0)), Color(ink(0xf7f8fa))};
+}
+
+/// Every `step`-th pixel of a line of `count`, so that `through` is one of them.
+std::vector<int> everyStep(int count, int step, int through) {
+    std::vector<int> places;
+    for (int place = through % step; place < count; place += step) places.push_back(place);
+    return places;
+}
+
+std::vector<PixelPosition> pixelsOf(ShownRays show, int step, PixelPosition picked, PictureSize size) {
+    const std::vector<int> columns =
+        show == ShownRays::Column ? std::vector{picked.x} : everyStep(size.width, step, picked.x);
+    const std::vector<int> rows =
+        show == ShownRays::Row ? std::vector{picked.y} : everyStep(size.height, step, picked.y);
+    std::vector<PixelPosition> pixels;
+    for (const int y : rows)
+        for (const int x : columns)
+            if (PixelPosition{x, y} != picked) pixels.push_back({x, y});
+    return pixels;
+}
+
+int stepFor(ShownRays show, PictureSize size) {
+    const int along = show == ShownRays::Column ? size.height
+                      : show == ShownRays::Row  ? size.width
+                                                : std::max(size.width, size.height);
+    return std::max(1, along / (show == ShownRays::Grid ? kPixelsInGrid : kPixelsInLine));
+}
+
+struct Stand {
+    const char *label, *command, *help;
+};
+constexpr std::array kStands = {Stand{"Frame", "rayview view=frame", "eye and scene from the side"},
+                                Stand{"Follow", "rayview view=follow", "behind the eye, wherever it goes"},
+                                Stand{"Top", "rayview view=top", "from above"},
+                                Stand{"Side", "rayview view=side", "from the right of the eye"},
+                                Stand{"Front", "rayview view=front", "from the scene towards the eye"}};
+constexpr std::array kShownRaysLabels = {"of the pixel", "of its row", "of its column", "of a grid"};
+
+float comboWidth(const char* longest) {
+    return ImGui::CalcTextSize(longest).x + ImGui::GetFrameHeight() + 2 * ImGui::GetStyle().FramePadding.x;
+}
+
+/// One button for each stand or, where they do not fit beside the next widget, a list.
+void standButtons(const Widgets& ui, float besides) {
+    const ImGuiStyle& style = ImGui::GetStyle();
+    float width = besides;
+    for (const Stand& stand : kStands)
+        width += ImGui::CalcTextSize(stand.label).x + 2 * style.FramePadding.x + style.ItemSpacing.x;
+    if (width <= ImGui::GetContentRegionAvail().x) {
+        for (const Stand& stand : kStands) {
+            if (ImGui::SmallButton(stand.label)) ui.execute(Command::parse(stand.command), {});
+            ui.mark(stand.command);
+            ui.tooltip(stand.help);
+            ImGui::SameLine();
+        }
+        return;
+    }
+    ImGui::SetNextItemWidth(comboWidth("View"));
+    const bool open = ImGui::BeginCombo("##stand", "View");
+    ui.mark("stand");
+    if (open) {
+        for (const Stand& stand : kStands) {
+            if (ImGui::Selectable(stand.label)) ui.execute(Command::parse(stand.command), {});
+            ui.mark(stand.command);
+            ui.tooltip(stand.help);
+        }
+        ImGui::EndCombo();
+    }
+    ImGui::SameLine();
+}
+
+}
+
+void RayPane::execute(const Command& command) {
+    command.allowOnly({"view", "yaw", "pitch", "right", "up", "dolly", "show", "step", "labels"});
+    const auto stand = command.choice("view", kOutsideStandNames);
+    const auto show = command.choice("show", kShownRaysNames);
+    const auto step = command.integer("step", 1, kMaxPictureSide);
+    const auto labels = command.flag("labels");
+    const auto yaw = command.number("yaw", -360, 360), pitch = command.number("pitch", -180, 180);
+    const auto right = command.number("right", -1e9, 1e9), up = command.number("up", -1e9, 1e9);
+    const auto dolly = command.number("dolly", 0.01, 100);
+    OutsideView& outside = view_.outside();
+    if (stand) outside.go(static_cast<OutsideStand>(*stand));
+    if (yaw || pitch) outside.orbit(radians(yaw.value_or(0)), radians(pitch.value_or(0)));
+    if (right || up) outside.pan(right.value_or(0), up.value_or(0));
+    if (dolly) outside.dolly(*dolly);
+    if (show || step) step_ = step.value_or(0);
+    if (show) show_ = static_cast<ShownRays>(*show);
+    labels_ = labels.value_or(labels_);
+}
+
+void RayPane::draw(const Widgets& ui, const PictureView& picture) {
+    if (!ui.viewer.hasScene() || !ui.viewer.world() || picture.shown().empty()) return;
+    if (scene_ != ui.viewer.opened().reference) {
+        scene_ = ui.viewer.opened().reference;
+        view_.outside().go(OutsideStand::Frame);
+    }
+    toolbar(ui);
+    const ImVec2 available = ImGui::GetContentRegionAvail(), corner = ImGui::GetCursorScreenPos();
+    const ImVec2 size{std::floor(available.x), std::floor(available.y)};
+    if (size.x < 8 || size.y < 8) return;
+    traceMany(ui);
+    const RayStyle style = rayStyle(ui.dark, ui.scale);
+    view_.draw(content(ui, picture), static_cast<int>(size.x), static_cast<int>(size.y), style,
+               backdropOf(ui.dark));
+    const ImVec2 opposite{corner.x + size.x, corner.y + size.y};
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    list.AddImage(textureId(view_.picture()), corner, opposite, {0, 1}, {1, 0});
+    list.PushClipRect(corner, opposite, true);
+    Sketch sketch = view_.sketch();
+    caption(ui, sketch, style, size);
+    drawSketch(list, sketch, corner, size, style.ground);
+    list.PopClipRect();
+    ImGui::InvisibleButton("rays in space", size,
+                           ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonRight |
+                               ImGuiButtonFlags_MouseButtonMiddle);
+    ui.mark("rays in space");
+    mouse(ui, corner);
+}
+
+void RayPane::toolbar(const Widgets& ui) const {
+    ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {ImGui::GetStyle().FramePadding.x, 0});
+    const float width = comboWidth("of its column");
+    standButtons(ui, width);
+    ImGui::SetNextItemWidth(width);
+    const bool open = ImGui::BeginCombo("##shown rays", kShownRaysLabels[static_cast<std::size_t>(show_)]);
+    ImGui::PopStyleVar();
+    ui.mark("shown rays");
+    if (!open) return ui.tooltip("whose rays are drawn; row, column and grid go through the picked pixel");
+    for (std::size_t i = 0; i < kShownRaysLabels.size(); ++i) {
+        if (ImGui::Selectable(kShownRaysLabels[i], static_cast<std::size_t>(show_) == i))
+            ui.execute({"rayview", {{"show", std::string(kShownRaysNames[i])}}}, {});
+        ui.mark(fmt::format("shown rays={}", kShownRaysNames[i]));
+    }
+    ImGui::EndCombo();
+}
+
+/// Traces the pixels of a row, a column or a grid anew when something that they show has changed.
+void RayPane::traceMany(const Widgets& ui) {
+    Viewer& viewer = ui.viewer;
+    if (show_ == ShownRays::Pixel) {
+        many_.clear();
+        tracedFor_.reset();
+        return;
+    }
+    const PictureSize size = viewer.pictureSize();
+    const auto& picked = viewer.picked();
+    const PixelPosition pixel = picked ? picked->pixel : PixelPosition{size.width / 2, size.height / 2};
+    TracedFor now{.world = viewer.world(),
+                  .camera = viewer.document().camera,
+                  .trace = viewer.document().render.trace,
+                  .width = size.width,
+                  .height = size.height,
+                  .sample = picked ? picked->sample : 0,
+                  .step = step_ > 0 ? step_ : stepFor(show_, size),
+                  .pixel = pixel,
+                  .show = show_,
+                  .ready = viewer.status().phase != RenderStatus::Phase::Coarse};
+    if (now == tracedFor_) return;
+    many_.clear();
+    const auto pixels = pixelsOf(show_, now.step, pixel, size);
+    wanted_ = pixels.size();
+    std::size_t rays = picked ? picked->trace.rays.size() : 0;
+    for (const PixelPosition& p : pixels) {
+        if (many_.size() >= kMostPixels) break;
+        auto trace = viewer.session().retrace(p.x, p.y, now.sample);
+        if (!trace) continue;
+        rays += trace->rays.size();
+        if (rays > kMostRays) break;
+        many_.push_back(std::move(*trace));
+    }
+    tracedFor_ = std::move(now);
+}
+
+RayViewContent RayPane::content(const Widgets& ui, const PictureView& picture) {
+    const Viewer& viewer = ui.viewer;
+    RayViewContent content{.world = viewer.world(),
+                           .camera = viewer.document().camera,
+                           .picture = &picture.texture(),
+                           .pictureVersion = picture.version(),
+                           .pictureWidth = picture.shown().width(),
+                           .pictureHeight = picture.shown().height(),
+                           .pixel = {},
+                           .samples = {},
+                           .selectedRay = -1,
+                           .labels = labels_};
+    if (const auto& picked = viewer.picked()) {
+        content.pixel = DVec2(picked->pixel.x, picked->pixel.y);
+        content.samples.push_back(&picked->trace);
+        content.selectedRay = viewer.selectedRay();
+    }
+    for (const Retrace& trace : many_) content.samples.push_back(&trace);
+    return content;
+}
+
+void RayPane::mouse(const Widgets& ui, ImVec2 corner) {
+    const ImGuiIO& io = ImGui::GetIO();
+    const Vec2 at(io.MousePos.x - corner.x, io.MousePos.y - corner.y);
+    const auto arrowHere = [&] {
+        return arrowAt(*view_.projection(), view_.arrows(), at, kNearArrow * ui.scale);
+    };
+    const auto run = [&](std::vector<Command::Argument> arguments) {
+        ui.execute({"rayview", std::move(arguments)}, {});
+    };
+    if (ImGui::IsItemHovered()) {
+        if (io.MouseWheel != 0)
+            run({{"dolly", toText(std::pow(kWheelStep, static_cast<double>(io.MouseWheel)))}});
+        if (!ImGui::IsItemActive()) rayTooltip(ui, arrowHere());
+    }
+    for (const int button : {ImGuiMouseButton_Left, ImGuiMouseButton_Middle, ImGuiMouseButton_Right}) {
+        if (!ImGui::IsItemActive() || !ImGui::IsMouseDragging(button, kClickSlop)) continue;
+        const ImVec2 delta = dragging_ ? io.MouseDelta : ImGui::GetMouseDragDelta(button, kClickSlop);
+        dragging_ = true;
+        const double right = delta.x, down = delta.y;
+        if (right == 0 && down == 0) continue;
+        const Camera& camera = view_.outside().camera();
+        const double metres = view_.projection()->metresPerPixel(camera.distance());
+        if (button == ImGuiMouseButton_Left)
+            run({{"yaw", toText(-kOrbitSpeed * right)}, {"pitch", toText(kOrbitSpeed * down)}});
+        else
+            run({{"right", toText(-metres * right)}, {"up", toText(metres * down)}});
+    }
+    if (!ImGui::IsItemDeactivated()) return;
+    const int arrow = dragging_ || !ImGui::IsMouseReleased(ImGuiMouseButton_Left) ? -1 : arrowHere();
+    dragging_ = false;
+    if (arrow >= 0)
+        ui.execute({"select-ray",
+                    {{"index", fmt::format("{}", view_.arrows()[static_cast<std::size_t>(arrow)].ray)}}},
+                   {});
+}
+
+void RayPane::rayTooltip(const Widgets& ui, int arrow) const {
+    const auto& picked = ui.viewer.picked();
+    if (arrow < 0 || !picked) return;
+    const auto index = static_cast<std::size_t>(view_.arrows()[static_cast<std::size_t>(arrow)].ray);
+    if (index >= picked->trace.rays.size()) return;
+    const RayRecord& ray = picked->trace.rays[index];
+    ui.tooltip(fmt::format("{} ray, depth {}, t = {}: {}; weight {}", name(ray.kind), ray.depth,
+                           metresText(ray.t), meeting(*ui.viewer.document().scene, ray),
+                           weightText(ray.weight)));
+}
+
+/// What is to be done, or which rays are shown, and a legend.
+void RayPane::caption(const Widgets& ui, Sketch& sketch, const RayStyle& style, ImVec2 size) const {
+    const float margin = 0.7F * style.letter;
+    const auto say = [&](const std::string& text) {
+        sketch.labels.push_back({{margin, margin}, text, style.text, {0, 0}, 0.9F});
+    };
+    if (!ui.viewer.document().pixel && show_ == ShownRays::Pixel)
+        say("click a pixel of the picture to see its rays");
+    else if (show_ != ShownRays::Pixel && many_.size() < wanted_)
+        say(fmt::format("{} of {} pixels: no more than {} rays are drawn", many_.size(), wanted_, kMostRays));
+    drawLegend(sketch, view_.arrows(), style, {margin, size.y - margin});
+}
+
+}

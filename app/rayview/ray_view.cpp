@@ -1,0 +1,104 @@
+#include "app/rayview/ray_view.h"
+
+#include <algorithm>
+
+namespace eyeray {
+namespace {
+
+constexpr int kSamplesPerPixel = 4;  // of OpenGL's own smoothing
+constexpr double kNearest = 0.01;    // of the distance to what is looked at
+constexpr double kFarthest = 12;     // radii of the scene behind its middle
+constexpr float kReach = 2.5F;       // of endless rays, in radii of the scene
+constexpr float kTolerance = 0.003F; // of the outside distance: see DepthView
+constexpr double kGridApart = 7;     // pixels at least
+constexpr float kThinMany = 0.55F;   // width of rays where several samples are shown
+
+Projection projectionFor(const World& world, const Camera& outside, int width, int height) {
+    const double distance = outside.distance();
+    const double toMiddle = glm::length(outside.eye - world.origin);
+    return {
+        outside, world.origin,        width,
+        height,  kNearest * distance, toMiddle + distance + kFarthest * static_cast<double>(world.radius)};
+}
+
+/// How far the scene lies before the picture's eye, about: to what the picked ray hits, else to the target.
+double distanceAhead(const RayViewContent& content) { return std::max(content.camera.distance(), 1e-6); }
+
+}
+
+RayView::RayView(const Gl& gl) : gl_(gl), meshes_(gl), painter_(gl), quad_(gl) {}
+
+void RayView::draw(const RayViewContent& content, int width, int height, const RayStyle& style,
+                   const Backdrop& backdrop) {
+    outside_.update(content.camera, static_cast<double>(width) / height);
+    const double aspect = static_cast<double>(content.pictureWidth) / content.pictureHeight;
+    const ImagePlane plane =
+        imagePlaneOf(content.camera, content.world->origin, aspect, distanceAhead(content));
+    const bool redrawn = drawScene(content, width, height, backdrop);
+    if (redrawn || drawnPicture_ != content.pictureVersion || drawnCamera_ != content.camera) {
+        drawPlane(content, plane);
+        depth_ = shown_->readDepth();
+        drawnPicture_ = content.pictureVersion;
+        drawnCamera_ = content.camera;
+    }
+    gl_.bindFramebuffer(GL_FRAMEBUFFER, 0);
+    drawSketch(content, plane, style);
+}
+
+/// True if it had to.
+bool RayView::drawScene(const RayViewContent& content, int width, int height, const Backdrop& backdrop) {
+    const bool sized = scene_ && scene_->width() == width && scene_->height() == height;
+    if (sized && drawnWorld_ == content.world && drawnOutside_ == outside_.camera() &&
+        drawnBackdrop_ == backdrop)
+        return false;
+    if (!sized) {
+        scene_.emplace(gl_, width, height, std::vector<GLenum>{GL_RGBA8}, kSamplesPerPixel);
+        shown_.emplace(gl_, width, height, Framebuffer::Depth::With);
+    }
+    meshes_.update(content.world);
+    projection_.emplace(projectionFor(*content.world, outside_.camera(), width, height));
+    scene_->bind();
+    painter_.draw(meshes_, *projection_, backdrop);
+    drawnWorld_ = content.world;
+    drawnOutside_ = outside_.camera();
+    drawnBackdrop_ = backdrop;
+    return true;
+}
+
+void RayView::drawPlane(const RayViewContent& content, const ImagePlane& plane) {
+    scene_->copyTo(*shown_);
+    if (content.picture == nullptr || content.picture->width() == 0) return;
+    shown_->bind();
+    const auto length = [&](std::size_t a, std::size_t b) {
+        const auto line = projection_->line(plane.corners[a], plane.corners[b]);
+        return line ? glm::length(line->to.at - line->from.at) : 0.0F;
+    };
+    const int step = std::min(gridStep(content.pictureWidth, length(0, 1), kGridApart),
+                              gridStep(content.pictureHeight, length(0, 3), kGridApart));
+    quad_.draw(*content.picture, plane, *projection_,
+               DVec2(content.pictureWidth, content.pictureHeight) / static_cast<double>(step));
+}
+
+void RayView::drawSketch(const RayViewContent& content, const ImagePlane& plane, const RayStyle& style) {
+    const auto tolerance = static_cast<float>(kTolerance * outside_.camera().distance());
+    const DepthView view{*projection_, depth_, tolerance};
+    arrows_.clear();
+    for (std::size_t i = 0; i < content.samples.size(); ++i) {
+        const auto added = arrowsOf(*content.samples[i], *content.world, static_cast<int>(i),
+                                    kReach * content.world->radius);
+        arrows_.insert(arrows_.end(), added.begin(), added.end());
+    }
+    sketch_ = {};
+    drawLamps(sketch_, view, *content.world, style, content.labels);
+    drawEye(sketch_, view, plane, style, content.labels);
+    if (content.pixel)
+        drawPixel(sketch_, view, plane, *content.pixel, content.pictureWidth, content.pictureHeight, style);
+    const bool many = content.samples.size() > 1;
+    drawArrows(sketch_, view, arrows_, style, arrows_.empty() || !content.pixel ? -1 : content.selectedRay,
+               many ? kThinMany : 1.0F);
+    if (content.labels && !content.samples.empty())
+        if (const auto vectors = vectorsAt(*content.samples.front(), content.selectedRay))
+            drawVectors(sketch_, *projection_, *vectors, style);
+}
+
+}

@@ -1,0 +1,71 @@
+#pragma once
+// The scene with its rays from outside: a picture drawn by OpenGL and a flat drawing to lay over it.
+
+#include <optional>
+
+#include "app/rayview/outside_painter.h"
+#include "app/rayview/outside_view.h"
+#include "app/rayview/ray_sketch.h"
+#include "core/transport/integrator.h"
+
+namespace eyeray {
+
+/// What there is to see.
+struct RayViewContent {
+    std::shared_ptr<const World> world;
+    Camera camera;                      // of the picture
+    const GlTexture* picture = nullptr; // what it shows so far
+    std::uint64_t pictureVersion = 0;   // changes with the picture
+    int pictureWidth = 0, pictureHeight = 0;
+    std::optional<DVec2> pixel;               // picked
+    std::vector<const SampleRecord*> samples; // those whose rays are shown, the picked one first
+    int selectedRay = 0;                      // of the first sample
+    bool labels = true;                       // names, coordinates, vectors and angles
+};
+
+/// Used by the thread of its OpenGL.
+class RayView {
+public:
+    explicit RayView(const Gl&);
+
+    /// Draws what has changed, width × height pixels.
+    void draw(const RayViewContent&, int width, int height, const RayStyle&, const Backdrop&);
+
+    OutsideView& outside() { return outside_; }
+    const OutsideView& outside() const { return outside_; }
+
+    // what has been drawn last
+    const GlTexture& picture() const { return shown_->color(); }
+    ByteImage readPicture() const { return shown_->read(); }
+    const Sketch& sketch() const { return sketch_; }
+    const std::vector<Arrow>& arrows() const { return arrows_; }
+    const std::optional<Projection>& projection() const { return projection_; }
+    const SceneMeshes& meshes() const { return meshes_; }
+
+private:
+    bool drawScene(const RayViewContent&, int width, int height, const Backdrop&);
+    void drawPlane(const RayViewContent&, const ImagePlane&);
+    void drawSketch(const RayViewContent&, const ImagePlane&, const RayStyle&);
+
+    const Gl& gl_;
+    SceneMeshes meshes_;
+    OutsidePainter painter_;
+    PictureQuad quad_;
+    OutsideView outside_;
+
+    std::optional<RenderTarget> scene_; // without plane
+    std::optional<Framebuffer> shown_;
+    Pixels<float> depth_;
+    std::optional<Projection> projection_;
+
+    // what the scene and the picture were drawn for
+    std::shared_ptr<const World> drawnWorld_;
+    Camera drawnOutside_, drawnCamera_;
+    Backdrop drawnBackdrop_;
+    std::uint64_t drawnPicture_ = 0;
+
+    std::vector<Arrow> arrows_;
+    Sketch sketch_;
+};
+
+}
