@@ -46,23 +46,9 @@ private:
         }
     }
 
-    /// Factors that stand in the line above, media that take nothing away, what is known to be black.
-    bool saysNothing(const LedgerNode& node) const {
-        switch (node.term) {
-        case Term::Share:
-            return true;
-        case Term::Transmittance:
-            return node.value == Color(1);
-        case Term::Lamp:
-            return inspected_.trace.lamps[static_cast<std::size_t>(node.lamp)].state != LampTerm::State::Lit;
-        default:
-            return isBlack(node.value) && node.operation == LedgerNode::Operation::Value;
-        }
-    }
-
     void sumLine(const LedgerLine& line, int level) {
         const LedgerNode& node = inspected_.ledger.at(line.node);
-        if (saysNothing(node)) return;
+        if (ledger_.saysNothing(line.node)) return;
         indent(level);
         const std::string whose = ledger_.whose(line.node);
         text_ += fmt::format("{} {}", line.factor ? "·" : "+", ledger_.formula(line.node));

@@ -5,11 +5,6 @@
 namespace eyeray {
 namespace {
 
-ImVec4 rgb(std::uint32_t hex, float alpha = 1) {
-    return {static_cast<float>((hex >> 16) & 255) / 255, static_cast<float>((hex >> 8) & 255) / 255,
-            static_cast<float>(hex & 255) / 255, alpha};
-}
-
 struct Palette {
     const Ground& ground;
     std::uint32_t field, fieldHover, fieldActive, accent;
@@ -18,30 +13,35 @@ const Palette kDark{groundOf(true), 0x2a2e38, 0x363b48, 0x414758, 0x4c9be8};
 const Palette kLight{groundOf(false), 0xe4e7ed, 0xd6dbe5, 0xc5ccda, 0x1d6fc4};
 
 void setColors(ImVec4* colors, const Palette& p) {
-    for (const int window : {ImGuiCol_WindowBg, ImGuiCol_ChildBg}) colors[window] = rgb(p.ground.panel);
-    colors[ImGuiCol_PopupBg] = rgb(p.ground.panel, 0.98F);
-    colors[ImGuiCol_MenuBarBg] = rgb(p.ground.paper);
-    colors[ImGuiCol_Text] = rgb(p.ground.text);
-    colors[ImGuiCol_TextDisabled] = rgb(p.ground.dimmed);
-    colors[ImGuiCol_Border] = colors[ImGuiCol_Separator] = rgb(p.ground.border);
-    colors[ImGuiCol_FrameBg] = colors[ImGuiCol_Button] = rgb(p.field);
-    colors[ImGuiCol_FrameBgHovered] = colors[ImGuiCol_ButtonHovered] = rgb(p.fieldHover);
-    colors[ImGuiCol_FrameBgActive] = colors[ImGuiCol_ButtonActive] = rgb(p.fieldActive);
-    colors[ImGuiCol_Header] = rgb(p.field);
-    colors[ImGuiCol_HeaderHovered] = rgb(p.fieldHover);
-    colors[ImGuiCol_HeaderActive] = rgb(p.fieldActive);
+    for (const int window : {ImGuiCol_WindowBg, ImGuiCol_ChildBg}) colors[window] = fromHex(p.ground.panel);
+    colors[ImGuiCol_PopupBg] = fromHex(p.ground.panel, 0.98F);
+    colors[ImGuiCol_MenuBarBg] = fromHex(p.ground.paper);
+    colors[ImGuiCol_Text] = fromHex(p.ground.text);
+    colors[ImGuiCol_TextDisabled] = fromHex(p.ground.dimmed);
+    colors[ImGuiCol_Border] = colors[ImGuiCol_Separator] = fromHex(p.ground.border);
+    colors[ImGuiCol_FrameBg] = colors[ImGuiCol_Button] = fromHex(p.field);
+    colors[ImGuiCol_FrameBgHovered] = colors[ImGuiCol_ButtonHovered] = fromHex(p.fieldHover);
+    colors[ImGuiCol_FrameBgActive] = colors[ImGuiCol_ButtonActive] = fromHex(p.fieldActive);
+    colors[ImGuiCol_Header] = fromHex(p.field);
+    colors[ImGuiCol_HeaderHovered] = fromHex(p.fieldHover);
+    colors[ImGuiCol_HeaderActive] = fromHex(p.fieldActive);
     colors[ImGuiCol_CheckMark] = colors[ImGuiCol_SliderGrab] = colors[ImGuiCol_SliderGrabActive] =
-        rgb(p.accent);
-    colors[ImGuiCol_PlotHistogram] = colors[ImGuiCol_NavHighlight] = rgb(p.accent);
-    colors[ImGuiCol_TextSelectedBg] = rgb(p.accent, 0.35F);
-    colors[ImGuiCol_ScrollbarBg] = rgb(p.ground.panel);
-    colors[ImGuiCol_ScrollbarGrab] = rgb(p.field);
-    colors[ImGuiCol_TitleBg] = colors[ImGuiCol_TitleBgActive] = rgb(p.ground.paper);
-    colors[ImGuiCol_TableHeaderBg] = rgb(p.ground.paper);
-    colors[ImGuiCol_TableBorderStrong] = colors[ImGuiCol_TableBorderLight] = rgb(p.ground.border);
-    colors[ImGuiCol_ModalWindowDimBg] = rgb(0x000000, 0.4F);
+        fromHex(p.accent);
+    colors[ImGuiCol_PlotHistogram] = colors[ImGuiCol_NavHighlight] = fromHex(p.accent);
+    colors[ImGuiCol_TextSelectedBg] = fromHex(p.accent, 0.35F);
+    colors[ImGuiCol_ScrollbarBg] = fromHex(p.ground.panel);
+    colors[ImGuiCol_ScrollbarGrab] = fromHex(p.field);
+    colors[ImGuiCol_TitleBg] = colors[ImGuiCol_TitleBgActive] = fromHex(p.ground.paper);
+    colors[ImGuiCol_TableHeaderBg] = fromHex(p.ground.paper);
+    colors[ImGuiCol_TableBorderStrong] = colors[ImGuiCol_TableBorderLight] = fromHex(p.ground.border);
+    colors[ImGuiCol_ModalWindowDimBg] = fromHex(0x000000, 0.4F);
 }
 
+}
+
+ImVec4 fromHex(std::uint32_t hex, float alpha) {
+    return {static_cast<float>((hex >> 16) & 255) / 255, static_cast<float>((hex >> 8) & 255) / 255,
+            static_cast<float>(hex & 255) / 255, alpha};
 }
 
 ImGuiStyle themeStyle(bool dark) {
@@ -60,9 +60,9 @@ ImGuiStyle themeStyle(bool dark) {
     return style;
 }
 
-ImVec4 colorOf(RayKind kind, bool dark) { return rgb(colorOfKind(kind, dark)); }
+ImVec4 colorOf(RayKind kind, bool dark) { return fromHex(colorOfKind(kind, dark)); }
 
-ImVec4 errorColor(bool dark) { return rgb(dark ? 0xff8a5c : 0xb83a00); }
-ImVec4 doneColor(bool dark) { return rgb(dark ? 0x7ccf9a : 0x1b7a45); }
+ImVec4 errorColor(bool dark) { return fromHex(dark ? 0xff8a5c : 0xb83a00); }
+ImVec4 doneColor(bool dark) { return fromHex(dark ? 0x7ccf9a : 0x1b7a45); }
 
 }

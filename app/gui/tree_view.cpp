@@ -1,69 +1,95 @@
-#include <fmt/format.h>
-
 #include "app/gui/panels.h"
 #include "app/gui/theme.h"
+#include "app/gui/tree_parts.h"
+#include "core/study/ray_row.h"
 
 namespace eyeray {
 namespace {
 
-constexpr int kMostRows = 64;
+constexpr float kDetailsWidth = 19, kLeastDiagram = 26; // in heights of a letter
 
-/// The record may be of the scene before an edit, until the picture of the new one is there.
-template <class Items>
-std::string nameOf(const Items& items, int index) {
-    const auto i = static_cast<std::size_t>(index);
-    return index >= 0 && i < items.size() ? items[i].name : std::string("a lamp");
+/// A checkbox that says `tree kind=… on=…`.
+void kindSwitch(const Widgets& ui, const char* kind, bool shown, const ImVec4& color) {
+    ImGui::SameLine();
+    ImGui::PushStyleColor(ImGuiCol_CheckMark, color);
+    ImGui::PushStyleColor(ImGuiCol_Text, color);
+    const bool changed = ImGui::Checkbox(kind, &shown);
+    ImGui::PopStyleColor(2);
+    ui.mark(std::string("tree ") + kind);
+    if (changed) ui.execute({"tree", {{"kind", kind}, {"on", toText(shown)}}}, {});
 }
 
-std::string endOf(const RayRecord& ray, const Scene& scene) {
-    const auto objectName = [&] { return nameOf(scene.objects, ray.object); };
-    const auto lampName = [&] { return nameOf(scene.lights, ray.light); };
-    switch (ray.end) {
-    case RayEnd::Hit:
-        return ray.totalReflection ? objectName() + " (total reflection)" : objectName();
-    case RayEnd::Background:
-        return "background";
-    case RayEnd::Unblocked:
-        return "reaches " + lampName();
-    case RayEnd::Blocked:
-        return "blocked before " + lampName();
+void formButton(const Widgets& ui, const char* label, const char* name, bool current) {
+    if (current) ImGui::PushStyleColor(ImGuiCol_Button, ImGui::GetStyle().Colors[ImGuiCol_ButtonActive]);
+    const bool pressed = ImGui::Button(label);
+    if (current) ImGui::PopStyleColor();
+    ui.mark(std::string("tree=") + name);
+    if (pressed) ui.execute({"tree", {{"show", name}}}, {});
+}
+
+void controls(const Widgets& ui) {
+    const StudySettings& settings = ui.viewer.study().settings();
+    formButton(ui, "Diagram", "diagram", !settings.table);
+    ImGui::SameLine();
+    formButton(ui, "Table", "table", settings.table);
+    for (const RayKind kind : {RayKind::Shadow, RayKind::Reflection, RayKind::Refraction})
+        kindSwitch(ui, name(kind).data(), settings.filter.kinds[static_cast<std::size_t>(kind)],
+                   colorOf(kind, ui.dark));
+    kindSwitch(ui, "untraced", settings.filter.untraced, ImGui::GetStyle().Colors[ImGuiCol_TextDisabled]);
+    ui.tooltip("rays that were not traced, and why");
+    float least = settings.filter.leastWeight;
+    ImGui::SameLine();
+    ImGui::SetNextItemWidth(ImGui::GetFontSize() * 9);
+    const bool changed = ImGui::SliderFloat("##least weight", &least, 0, 1, "weight ≥ %.3f",
+                                            ImGuiSliderFlags_Logarithmic | ImGuiSliderFlags_AlwaysClamp);
+    ui.mark("tree least-weight");
+    ui.tooltip("hides rays of a smaller weight, and all that hangs on them");
+    if (changed) ui.execute({"tree", {{"least-weight", toText(static_cast<double>(least))}}}, {});
+}
+
+}
+
+void selectRay(const Widgets& ui, int ray) {
+    ui.execute({"select-ray", {{"index", std::to_string(ray)}}}, {});
+}
+
+void rayDetails(const Widgets& ui) {
+    const PickedSample& picked = *ui.viewer.picked();
+    const auto world = ui.viewer.world();
+    const RayRow row = rayRow(picked.trace, ui.viewer.study().family(), *ui.viewer.document().scene,
+                              world ? world->origin : DVec3(0), ui.viewer.selectedRay());
+    const RayKind kind = picked.trace.rays[static_cast<std::size_t>(ui.viewer.selectedRay())].kind;
+    ImGui::TextColored(colorOf(kind, ui.dark), "%s", row[0].c_str());
+    if (!ImGui::BeginTable("facts", 2, ImGuiTableFlags_SizingFixedFit)) return;
+    ImGui::TableSetupColumn("what", ImGuiTableColumnFlags_WidthFixed);
+    ImGui::TableSetupColumn("value", ImGuiTableColumnFlags_WidthStretch);
+    for (std::size_t i = 1; i < row.size(); ++i) {
+        if (row[i].empty()) continue;
+        ImGui::TableNextRow();
+        ImGui::TableNextColumn();
+        ImGui::TextDisabled("%s", kRayHeadings[i].data());
+        ImGui::TableNextColumn();
+        ImGui::TextWrapped("%s", row[i].c_str());
     }
-    return {};
-}
-
-void rayRow(const Widgets& ui, const RayRecord& ray, const Scene& scene) {
-    ImGui::TableNextRow();
-    ImGui::TableNextColumn();
-    const float indent =
-        ImGui::GetFontSize() * 0.6F * static_cast<float>(ray.depth + (ray.kind == RayKind::Shadow ? 1 : 0));
-    if (indent > 0) ImGui::Indent(indent);
-    ImGui::TextColored(colorOf(ray.kind, ui.dark), "%s", std::string(name(ray.kind)).c_str());
-    if (indent > 0) ImGui::Unindent(indent);
-    ImGui::TableNextColumn();
-    ImGui::TextUnformatted(endOf(ray, scene).c_str());
-    ImGui::TableNextColumn();
-    if (std::isfinite(ray.t)) ImGui::Text("%.4g", static_cast<double>(ray.t));
-    ImGui::TableNextColumn();
-    ImGui::Text("%.2f", static_cast<double>(maxComponent(ray.weight)));
-}
-
+    ImGui::EndTable();
 }
 
 void treeView(const Widgets& ui) {
     const auto& picked = ui.viewer.picked();
     if (!picked) return dimmedText("click the picture to see the rays of a pixel");
-    const auto& rays = picked->trace.rays;
-    if (!ImGui::BeginTable("rays of the pixel", 4, ImGuiTableFlags_RowBg | ImGuiTableFlags_SizingStretchProp))
-        return;
-    ImGui::TableSetupColumn("ray", 0, 3);
-    ImGui::TableSetupColumn("meets", 0, 4);
-    ImGui::TableSetupColumn("t (m)", 0, 1.6F);
-    ImGui::TableSetupColumn("weight", 0, 1.6F);
-    ImGui::TableHeadersRow();
-    for (std::size_t i = 0; i < rays.size() && i < kMostRows; ++i)
-        rayRow(ui, rays[i], *ui.viewer.document().scene);
-    ImGui::EndTable();
-    if (rays.size() > kMostRows) dimmedText(fmt::format("and {} more", rays.size() - kMostRows));
+    if (picked->trace.rays.empty()) return dimmedText("no ray was traced for this sample");
+    controls(ui);
+    const float letter = ImGui::GetFontSize(), width = ImGui::GetContentRegionAvail().x;
+    const bool details = width > (kDetailsWidth + kLeastDiagram) * letter;
+    ImGui::BeginChild("tree", {details ? width - kDetailsWidth * letter : 0, 0}, false,
+                      ImGuiWindowFlags_HorizontalScrollbar);
+    ui.viewer.study().settings().table ? treeTable(ui) : treeDiagram(ui);
+    ImGui::EndChild();
+    if (!details) return;
+    ImGui::SameLine();
+    ImGui::BeginChild("details", {0, 0}, false);
+    rayDetails(ui);
+    ImGui::EndChild();
 }
 
 }

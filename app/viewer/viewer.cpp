@@ -67,6 +67,12 @@ void Viewer::traceAgain() {
     // the picture may still be that of the scene before
     if (object >= static_cast<int>(document().scene->objects.size())) object = -1;
     picked_ = PickedSample{pixel, sample_, std::move(*trace), object};
+    study_.look(*picked_, *document().scene);
+}
+
+void Viewer::setStudy(const StudySettings& settings) {
+    study_.set(settings);
+    if (picked_) study_.look(*picked_, *document().scene);
 }
 
 void Viewer::chooseSample(int sample) {
@@ -114,9 +120,11 @@ bool Viewer::update() {
     const RenderStatus now = session_->status();
     const bool finished = lastPhase_ != now.phase || lastSamples_ != now.samples;
     if (document().pixel && (!picked_ || now.phase != lastPhase_)) traceAgain();
+    const bool averaged = picked_ && study_.average(*session_, picked_->pixel);
     lastPhase_ = now.phase;
     lastSamples_ = now.samples;
-    return loaded || built || started || metered || finished || now.active() || loading() || building();
+    return loaded || built || started || metered || finished || averaged || now.active() || loading() ||
+           building();
 }
 
 void Viewer::openInBackground(const std::string& nameOrPath, std::vector<Command> commands) {

@@ -14,20 +14,13 @@
 #include "app/document/picture_file.h"
 #include "app/document/scene_files.h"
 #include "app/viewer/background_job.h"
+#include "app/viewer/pixel_study.h"
 #include "core/render/render_session.h"
 
 namespace eyeray {
 
 struct PictureSize {
     int width = 0, height = 0; // pixels
-};
-
-/// What is known of the picked pixel: one of its samples, traced again.
-struct PickedSample {
-    PixelPosition pixel;
-    int sample = 0; // which of the pixel's samples
-    Retrace trace;
-    int object = -1; // what the eye ray hit
 };
 
 /// A line for the person in front: what has been done, or what went wrong. Errors stay until they are
@@ -83,6 +76,8 @@ public:
     /// Index of the ray of the picked sample that all views mark; 0, the eye ray, if nothing else is
     /// selected.
     int selectedRay() const;
+    /// The picked sample's ledger and tree, as they are looked at. Valid while there is a picked sample.
+    const PixelStudy& study() const { return study_; }
     const std::deque<Notice>& notices() const { return notices_; }
     /// True while there is a notice that will go by itself.
     bool noticesPass() const;
@@ -98,6 +93,10 @@ public:
     /// Shows another sample of the picked pixel, from 0.
     void chooseSample(int sample);
     void selectRay(int ray) { selectedRay_ = ray; }
+    void setStudy(const StudySettings&);
+    /// Strikes a node of the picked sample's ledger out, or back in.
+    void strike(int node, bool out) { study_.strike(node, out); }
+    void restoreStruck() { study_.restore(); }
     void report(Notice::Kind, std::string text);
     void dismissNotice(std::size_t index);
     /// Ends a drag: the next change is a step of its own for undo.
@@ -148,6 +147,7 @@ private:
     bool meter_ = false; // the exposure is to be metered from the first picture
 
     std::optional<PickedSample> picked_;
+    PixelStudy study_;
     int sample_ = 0, selectedRay_ = 0;
     std::deque<Notice> notices_;
     RenderStatus::Phase lastPhase_ = RenderStatus::Phase::Idle; // at the last update

@@ -5,6 +5,7 @@
 #include <array>
 
 #include "app/document/user_folders.h"
+#include "app/viewer/study_commands.h"
 #include "app/viewer/viewer.h"
 #include "core/base/errors.h"
 
@@ -121,6 +122,14 @@ constexpr std::array kCommands = {
     ViewerCommand{"sample", "n=N", "Shows sample N of the picked pixel; 0 goes through its centre.", sample},
     ViewerCommand{"select-ray", "index=N", "Marks a ray of the picked pixel in all views; 0 is the eye ray.",
                   selectRay},
+    ViewerCommand{"tree", "show=diagram|table kind=KIND|untraced on=on|off least-weight=W",
+                  "Shows the rays of the picked pixel as a diagram or a table, and which of them.", tree},
+    ViewerCommand{"collapse", "ray=N on=on|off", "Folds what hangs on a ray of the tree, or unfolds it.",
+                  collapse},
+    ViewerCommand{"strike", "term=N on=on|off",
+                  "Strikes a term of the pixel's sum out, or back in; without a term, brings all back.",
+                  strike},
+    ViewerCommand{"notation", "name=a|b|glm", "Whose letters the pixel's sum is written in.", notation},
     ViewerCommand{"wait", "samples=N", "Waits for so many samples, or until the picture is finished.", wait},
 };
 

@@ -100,6 +100,12 @@ std::vector<int> Film::read(Picture& picture) const {
     return changed;
 }
 
+FilmPixel Film::pixel(int x, int y) const {
+    const int tile = y / kTileSize * ((width_ + kTileSize - 1) / kTileSize) + x / kTileSize;
+    const std::scoped_lock lock(mutexOf(tile));
+    return {shown_.at(x, y), tiles_[static_cast<std::size_t>(tile)].passes, id_};
+}
+
 ColorImage Film::mean(int passes) const {
     ENSURE(passes >= 1);
     ColorImage result(width_, height_);

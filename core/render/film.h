@@ -22,6 +22,13 @@ struct Picture {
     std::uint64_t film = 0;              // which film it was read from
 };
 
+/// One pixel of a film.
+struct FilmPixel {
+    Color mean{0};          // over its passes; the coarse preview before the first
+    int passes = 0;         // that its tile has had
+    std::uint64_t film = 0; // Film::id
+};
+
 /// Two sums per pixel, for passes of even and odd number: the sum over whole passes stays readable while the
 /// next pass is written. All functions are thread-safe unless they say otherwise.
 class Film {
@@ -50,6 +57,8 @@ public:
 
     /// Copies the tiles that have changed since `picture` was last read. Returns the changed tile indices.
     std::vector<int> read(Picture& picture) const;
+
+    FilmPixel pixel(int x, int y) const;
 
     /// Mean over the first `passes` passes, which must be the last or the one before the last that is
     /// complete. To be called between passes.

@@ -147,13 +147,22 @@ ColorImage RenderSession::image() const {
     return job->passes > 0 ? job->film->mean(job->passes) : ColorImage{};
 }
 
+/// The job whose picture is shown, if the pixel is in it.
+std::shared_ptr<RenderSession::Job> RenderSession::shownAt(int x, int y) const {
+    const std::scoped_lock lock(mutex_);
+    const bool inside =
+        shown_ && x >= 0 && y >= 0 && x < shown_->settings.width && y < shown_->settings.height;
+    return inside ? shown_ : nullptr;
+}
+
+std::optional<FilmPixel> RenderSession::pixel(int x, int y) const {
+    const auto job = shownAt(x, y);
+    return job ? std::optional(job->film->pixel(x, y)) : std::nullopt;
+}
+
 std::optional<Retrace> RenderSession::retrace(int x, int y, int pass) const {
-    std::shared_ptr<Job> job;
-    {
-        const std::scoped_lock lock(mutex_);
-        job = shown_;
-    }
-    if (!job || x < 0 || y < 0 || x >= job->settings.width || y >= job->settings.height) return std::nullopt;
+    const auto job = shownAt(x, y);
+    if (!job) return std::nullopt;
     const FloatEnvironment environment;
     return job->integrator->retrace(*job->context, x, y, job->settings.firstPass + pass);
 }

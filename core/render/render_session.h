@@ -70,12 +70,17 @@ public:
     /// Mean of the whole passes; empty if there is none.
     ColorImage image() const;
 
+    /// What the film of the picture shown holds for a pixel. Nothing if there is no picture or the pixel is
+    /// outside.
+    std::optional<FilmPixel> pixel(int x, int y) const;
+
     /// One sample of the picture shown, traced again with its rays on record. Nothing if there is no picture
     /// or the pixel is outside.
     std::optional<Retrace> retrace(int x, int y, int pass) const;
 
 private:
     struct Job;
+    std::shared_ptr<Job> shownAt(int x, int y) const;
     void coordinate(const std::stop_token& end);
     void run(const std::shared_ptr<Job>&);
     int coarseStep(const RenderSettings&) const;

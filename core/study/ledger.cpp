@@ -96,13 +96,13 @@ private:
 };
 
 /// Value of a node; where nothing in it is struck out and not all is asked for, the one on record.
-Color valueOf(const Ledger& ledger, int node, std::span<const Strike> strikes, bool all) {
+Color resultOf(const Ledger& ledger, int node, std::span<const Strike> strikes, bool all) {
     const auto first = std::lower_bound(strikes.begin(), strikes.end(), node,
                                         [](const Strike& strike, int n) { return strike.node < n; });
     const bool struck = first != strikes.end() && first->node < ledger.at(node).end;
     if (struck && first->node == node) return first->value;
     if (ledger.at(node).operation == Operation::Value || (!struck && !all)) return ledger.at(node).value;
-    return combined(ledger, node, [&](int i) { return valueOf(ledger, i, strikes, all); });
+    return combined(ledger, node, [&](int i) { return resultOf(ledger, i, strikes, all); });
 }
 
 }
@@ -128,8 +128,13 @@ Ledger ledgerOf(const SampleRecord& record) {
 Color evaluate(const Ledger& ledger, std::span<const Strike> strikes) {
     if (ledger.nodes.empty()) return Color(0);
     const FloatEnvironment environment;
-    const Color sum = valueOf(ledger, 0, strikes, strikes.empty());
+    const Color sum = resultOf(ledger, 0, strikes, strikes.empty());
     return isFinite(sum) ? sum : Color(0);
+}
+
+Color valueOf(const Ledger& ledger, int node, std::span<const Strike> strikes) {
+    const FloatEnvironment environment;
+    return resultOf(ledger, node, strikes, false);
 }
 
 Strike strikeOf(const Ledger& ledger, int node) {

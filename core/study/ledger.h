@@ -65,6 +65,9 @@ struct Strike {
 /// it would get. Black if there is no ledger or the sum is not finite, as in the film.
 Color evaluate(const Ledger&, std::span<const Strike> strikes = {});
 
+/// Value of one node under the strikes.
+Color valueOf(const Ledger&, int node, std::span<const Strike> strikes);
+
 /// The strike that a person means by taking a node away: a visibility turns about (blocked becomes 1,
 /// unblocked 0), a medium lets all through, anything else becomes 0.
 Strike strikeOf(const Ledger&, int node);

@@ -128,14 +128,33 @@ std::string LedgerText::whose(int node) const {
     if (n.lamp >= 0) {
         const LampTerm& lamp = record.lamps[static_cast<std::size_t>(n.lamp)];
         const std::string name = lampName(scene, lamp.light);
-        if (n.term != Term::Lamp || lamp.state == LampTerm::State::Lit) return name;
-        return name + (lamp.state == LampTerm::State::FacesAway ? ", behind the surface" : ", out of reach");
+        if (n.term != Term::Lamp) return name;
+        if (lamp.state == LampTerm::State::FacesAway) return name + ", behind the surface";
+        if (lamp.state == LampTerm::State::OutOfReach) return name + ", out of reach";
+        return isBlack(lamp.visibility) ? name + ", blocked" : name;
     }
     const RayRecord& ray = record.rays[static_cast<std::size_t>(n.ray)];
     if (n.term == Term::Sent || n.term == Term::Radiance)
         return fmt::format("{} ray: {}", name(ray.kind), meeting(scene, ray));
     if (n.term == Term::Transmittance) return objectName(scene, ray.medium);
     return {};
+}
+
+bool LedgerText::saysNothing(int node) const {
+    const LedgerNode& n = ledger.at(node);
+    switch (n.term) {
+    case Term::Share:
+        return true;
+    case Term::Transmittance:
+        return n.value == Color(1);
+    case Term::Emission:
+    case Term::Ambient:
+        return isBlack(n.value);
+    case Term::Lamp:
+        return n.ray > 0 && record.lamps[static_cast<std::size_t>(n.lamp)].state != LampTerm::State::Lit;
+    default:
+        return false;
+    }
 }
 
 std::vector<LedgerLine> linesBelow(const Ledger& ledger, int node) {

@@ -33,6 +33,10 @@ struct LedgerText {
     /// In words, whom it belongs to: the lamp, what the ray that is sent on meets; may be empty.
     std::string whose(int node) const;
 
+    /// A line that tells a reader nothing: a factor that stands in the line above, a medium that takes
+    /// nothing away, what is black by its nature; beyond the eye ray's hit also lamps behind a surface.
+    bool saysNothing(int node) const;
+
 private:
     /// `alone`: no factor stands beside it, so that a sum needs no parentheses.
     template <class Leaf>

@@ -10,6 +10,13 @@ std::uint32_t colorOfKind(RayKind kind, bool dark) {
     return (dark ? kOnDark : kOnLight)[static_cast<std::size_t>(kind)];
 }
 
+std::uint32_t shownColor(const Color& radiance, const DisplaySettings& settings) {
+    std::array<Rgba8, 1> shown;
+    display(std::span(&radiance, 1), settings, shown);
+    return static_cast<std::uint32_t>(shown[0].r) << 16U | static_cast<std::uint32_t>(shown[0].g) << 8U |
+           shown[0].b;
+}
+
 std::span<const float> dashesOf(RayKind kind) {
     static constexpr std::array kDots = {0.12F, 0.3F};
     static constexpr std::array kDashes = {0.8F, 0.35F};

@@ -6,11 +6,15 @@
 #include <span>
 
 #include "core/base/ray_kind.h"
+#include "core/render/display.h"
 
 namespace eyeray {
 
 /// 0xrrggbb as displayed, on a dark or a light ground.
 std::uint32_t colorOfKind(RayKind, bool dark);
+
+/// Radiance as displayed: 0xrrggbb.
+std::uint32_t shownColor(const Color& radiance, const DisplaySettings&);
 
 /// Lengths of dash, gap, dash, … in heights of a letter; none for a full line.
 std::span<const float> dashesOf(RayKind);

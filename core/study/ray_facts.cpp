@@ -21,6 +21,7 @@ SharesAtHit sharesAtHit(const SampleRecord& record, const Family& family, int ra
         const RayRecord& r = record.rays[static_cast<std::size_t>(next)];
         note(r.kind, r.share);
         shares.totalReflection |= r.totalReflection;
+        shares.eta = r.eta;
     }
     for (const int missing : family.untraced[ray]) {
         const UntracedRay& r = record.untraced[static_cast<std::size_t>(missing)];

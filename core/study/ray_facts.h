@@ -15,6 +15,7 @@ Color contribution(const RayRecord&);
 struct SharesAtHit {
     Color reflected{0}, refracted{0};
     bool totalReflection = false;
+    float eta = 1; // of the ray's side / of the other side, where light goes on through glass
 };
 SharesAtHit sharesAtHit(const SampleRecord&, const Family&, int ray);
 

@@ -15,13 +15,6 @@ constexpr float kMargin = 1.2F, kTitle = 1.3F, kHead = 4.2F; // in letters
 constexpr float kLeastWidth = 44;
 constexpr float kBar = 0.4F, kSwatch = 1.1F, kPadding = 0.4F; // in a node
 
-std::uint32_t shownColor(const Color& radiance, const DisplaySettings& settings) {
-    std::array<Rgba8, 1> shown;
-    display(std::span(&radiance, 1), settings, shown);
-    return static_cast<std::uint32_t>(shown[0].r) << 16U | static_cast<std::uint32_t>(shown[0].g) << 8U |
-           shown[0].b;
-}
-
 class Drawing {
 public:
     Drawing(const TreeDiagram& diagram, const DisplaySettings& display, bool dark)
