@@ -50,9 +50,7 @@ inline DMat4 randomPlacement(Random& random, double size, double least = 0.3, do
 
 template <class Index, class Geometry>
 Instance<Index> place(const DMat4& objectToWorld, Geometry geometry) {
-    return {.objectToWorld = Affine::from(objectToWorld),
-            .worldToObject = Affine::from(glm::inverse(objectToWorld)),
-            .geometry = std::move(geometry)};
+    return {.placement = Placement(objectToWorld), .geometry = std::move(geometry)};
 }
 
 /// A closed mesh around the origin: a sphere, or with `bumps` a star-shaped body. Every edge has two

@@ -78,12 +78,11 @@ TEST(Instance, NormalOfASquashedSphereIsThatOfTheEllipsoid) {
         }
     }
     // The figure of the lecture: at 45° on (1, 1, 0.1) the map itself, used for the normal, is 78.58° wrong.
-    const Affine map = Affine::from(glm::scale(DMat4(1), DVec3(1, 1, 0.1)));
-    const Affine back = Affine::from(glm::scale(DMat4(1), DVec3(1, 1, 10)));
+    const DMat4 map = glm::scale(DMat4(1), DVec3(1, 1, 0.1));
     SurfacePoint point;
     point.geometricNormal = point.shadingNormal = glm::normalize(Vec3(1, 0, 1));
-    const Vec3 right = toWorld(point, map, back).geometricNormal;
-    const Vec3 wrong = glm::normalize(map.vector(point.geometricNormal));
+    const Vec3 right = Placement(map).toWorld(point).geometricNormal;
+    const Vec3 wrong = glm::normalize(Vec3(transformVector(map, point.geometricNormal)));
     EXPECT_NEAR(degrees(std::acos(glm::dot(DVec3(right), DVec3(wrong)))), 78.58, 0.01);
 }
 
@@ -140,10 +139,11 @@ TEST(Instance, ErrorBoundHoldsTheRoundingOfBothMaps) {
     for (int i = 0; i < 50'000; ++i) {
         const double size = std::pow(10, random.uniform(-3, 3));
         const DMat4 map = cases::randomPlacement(random, size, 0.01, 3);
-        const Affine there = Affine::from(map), back = Affine::from(glm::inverse(map));
+        const Placement placement(map);
         const SurfacePoint local = surfacePoint(random.inCube(1), random.direction());
-        const SurfacePoint world = toWorld(local, there, back);
-        const DVec3 error = transformVector(map, DVec3(back.point(world.position)) - DVec3(local.position));
+        const SurfacePoint world = placement.toWorld(local);
+        const DVec3 error =
+            transformVector(map, DVec3(placement.toObject(world.position)) - DVec3(local.position));
         for (int axis = 0; axis < 3; ++axis) {
             ASSERT_LE(std::fabs(error[axis]), world.error[axis]);
             worst = std::fmax(worst, std::fabs(error[axis]) / world.error[axis]);

@@ -145,8 +145,8 @@ TEST(SpawnedRay, StartsWithinAFewUnitsInTheLastPlaceOfTheSurface) {
     Random random(4);
     for (int i = 0; i < 10'000; ++i) {
         const DMat4 map = cases::randomPlacement(random, 1, 0.1, 2);
-        const Affine there = Affine::from(map), back = Affine::from(glm::inverse(map));
-        const SurfacePoint point = toWorld(surfacePoint(random.inCube(0.5), random.direction()), there, back);
+        const SurfacePoint point =
+            Placement(map).toWorld(surfacePoint(random.inCube(0.5), random.direction()));
         const Vec3 direction(random.direction());
         const Vec3 gap = spawnOrigin(point, direction) - point.position;
         EXPECT_LT(glm::length(gap), 1e-4F);

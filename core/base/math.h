@@ -1,6 +1,7 @@
 #pragma once
 // Vector types and the few constants and helpers that every layer shares.
 
+#include <bit>
 #include <cmath>
 #include <cstdint>
 #include <limits>
@@ -37,6 +38,16 @@ constexpr float gammaBound(int n) {
     return static_cast<float>(n) * u / (1.0F - static_cast<float>(n) * u);
 }
 
+/// The next float above x, which is ≥ 0 and finite.
+inline float nextAbove(float x) { return std::bit_cast<float>(std::bit_cast<std::uint32_t>(x) + 1); }
+
+/// The next float after a finite x towards ±∞.
+inline float nextTowards(float x, bool up) {
+    const auto bits = std::bit_cast<std::uint32_t>(x);
+    if (x == 0) return up ? 0x1p-126F : -0x1p-126F; // a smaller one would be flushed to zero
+    return std::bit_cast<float>((x > 0) == up ? bits + 1 : bits - 1);
+}
+
 inline bool isFinite(const Vec3& v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
 inline bool isFinite(const DVec3& v) {
     return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
@@ -61,6 +72,8 @@ inline DVec3 transformVector(const DMat4& m, const DVec3& v) { return DVec3(m * 
 
 /// v / |v| computed without underflow or overflow of |v|²; (0, 0, 0) for a zero or non-finite vector.
 inline DVec3 safeNormalize(const DVec3& v) {
+    const double square = glm::dot(v, v);
+    if (square > 1e-280 && square < 1e280) return v * (1 / std::sqrt(square));
     const double scale = std::fmax(std::fabs(v.x), std::fmax(std::fabs(v.y), std::fabs(v.z)));
     if (!(scale > 0) || !std::isfinite(scale)) return DVec3(0);
     const DVec3 scaled = v / scale;

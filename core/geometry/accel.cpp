@@ -1,13 +1,9 @@
 #include "core/geometry/accel.h"
 
-#include <bit>
 #include <tuple>
 
 namespace eyeray {
 namespace {
-
-// The next float above a t ≥ 0.
-float nextUp(float t) { return std::bit_cast<float>(std::bit_cast<std::uint32_t>(t) + 1); }
 
 bool sees(RayMask ray, RayMask instance) {
     return (static_cast<unsigned>(ray) & static_cast<unsigned>(instance)) != 0;
@@ -17,7 +13,7 @@ bool sees(RayMask ray, RayMask instance) {
 template <class Index, class Offer>
 bool visitHits(const Instance<Index>& instance, std::uint32_t id, const Ray& ray, const float& limit,
                Offer&& offer) {
-    Ray local = instance.worldToObject.ray(ray);
+    Ray local = instance.placement.toObject(ray);
     local.tMax = limit;
     if (const Shape* shape = std::get_if<Shape>(&instance.geometry)) {
         auto hit = intersect(*shape, local);
@@ -67,7 +63,7 @@ std::optional<Hit> closestHit(const IndexedGeometry<Index>& geometry, const Ray&
         if (hit.t < best.t ||
             std::tie(hit.instance, hit.primitive) < std::tie(best.instance, best.primitive)) {
             best = hit;
-            limit = nextUp(hit.t); // an equal t is still heard of
+            limit = nextAbove(hit.t); // an equal t is still heard of
         }
         return false;
     });
@@ -83,10 +79,10 @@ template <class Index>
 SurfacePoint surfaceAt(const IndexedGeometry<Index>& geometry, const Ray& ray, const Hit& hit) {
     const Instance<Index>& instance = geometry.instances[hit.instance];
     const TriangleMesh* mesh = meshOf(geometry, hit);
-    const SurfacePoint point =
-        mesh != nullptr ? surfaceAt(*mesh, hit)
-                        : surfaceAt(std::get<Shape>(instance.geometry), instance.worldToObject.ray(ray), hit);
-    return toWorld(point, instance.objectToWorld, instance.worldToObject);
+    const SurfacePoint point = mesh != nullptr ? surfaceAt(*mesh, hit)
+                                               : surfaceAt(*std::get_if<Shape>(&instance.geometry),
+                                                           instance.placement.toObject(ray), hit);
+    return instance.placement.toWorld(point);
 }
 
 template <class Index>
@@ -95,7 +91,7 @@ Vec2 textureCoordinates(const IndexedGeometry<Index>& geometry, const SurfacePoi
     if (const TriangleMesh* mesh = meshOf(geometry, hit)) return textureCoordinates(*mesh, hit, set);
     const Instance<Index>& instance = geometry.instances[hit.instance];
     SurfacePoint local;
-    local.position = instance.worldToObject.point(point.position);
+    local.position = instance.placement.toObject(point.position);
     return textureCoordinates(std::get<Shape>(instance.geometry), local, hit.primitive);
 }
 

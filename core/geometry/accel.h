@@ -9,10 +9,10 @@
 #include <variant>
 #include <vector>
 
-#include "core/geometry/affine.h"
 #include "core/geometry/brute_force.h"
 #include "core/geometry/bvh2.h"
 #include "core/geometry/mesh.h"
+#include "core/geometry/placement.h"
 #include "core/geometry/ray.h"
 #include "core/geometry/shapes.h"
 
@@ -33,7 +33,7 @@ struct IndexedMesh {
 /// One placed object.
 template <class Index>
 struct Instance {
-    Affine objectToWorld, worldToObject;
+    Placement placement;
     std::variant<Shape, std::shared_ptr<const IndexedMesh<Index>>> geometry;
     RayMask mask = RayMask::Opaque;
 };

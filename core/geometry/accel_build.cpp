@@ -27,19 +27,6 @@ struct ObjectBounds {
     Bounds operator()(const std::shared_ptr<const IndexedMesh<Index>>& mesh) const { return mesh->bounds; }
 };
 
-// Holds every world point whose way back to object space, with its rounding, leads into the object.
-template <class Index>
-Bounds worldBounds(const Instance<Index>& instance) {
-    const Bounds object = std::visit(ObjectBounds<Index>{}, instance.geometry);
-    Bounds world = boundsOf(instance.objectToWorld, object);
-    if (!world.finite()) return world;
-    const Vec3 farthest = glm::max(glm::abs(object.lo), glm::abs(object.hi));
-    const Vec3 error = mapError(instance.objectToWorld, instance.worldToObject, farthest);
-    world.lo -= error;
-    world.hi += error;
-    return world;
-}
-
 template <class Index>
 bool unbounded(const Instance<Index>& instance) {
     const Shape* shape = std::get_if<Shape>(&instance.geometry);
@@ -73,7 +60,8 @@ IndexedGeometry<Index> indexInstances(std::vector<Instance<Index>> instances, co
     std::unordered_set<const IndexedMesh<Index>*> counted;
     for (std::uint32_t i = 0; i < instances.size(); ++i) {
         if (unbounded(instances[i])) result.unbounded.push_back(i);
-        boxes.push_back(worldBounds(instances[i]));
+        boxes.push_back(
+            instances[i].placement.worldBounds(std::visit(ObjectBounds<Index>{}, instances[i].geometry)));
         const auto* mesh = std::get_if<1>(&instances[i].geometry);
         result.primitives += mesh != nullptr ? (*mesh)->corners.size() : 1;
         if (mesh == nullptr || !counted.insert(mesh->get()).second) continue;

@@ -36,7 +36,7 @@ SurfacePoint surfaceAt(const Box& box, const Ray& ray, const Hit& hit) {
     const double side = hit.primitive % 2 == 1 ? 1.0 : -1.0;
     DVec3 normal(0);
     normal[axis] = side;
-    DVec3 position = glm::clamp(pointAtHit(passThrough(box, ray), ray, hit), -half, half);
+    DVec3 position = glm::clamp(pointAtHit(ray, hit), -half, half);
     position[axis] = side * half[axis];
     return surfacePoint(position, normal);
 }

@@ -80,7 +80,7 @@ std::optional<Hit> intersect(const Cylinder& cylinder, const Ray& ray) {
 
 SurfacePoint surfaceAt(const Cylinder& cylinder, const Ray& ray, const Hit& hit) {
     const Profile profile(cylinder);
-    DVec3 p = pointAtHit(passThrough(cylinder, ray), ray, hit);
+    DVec3 p = pointAtHit(ray, hit);
     p.y = std::clamp(p.y, -profile.half, profile.half);
     if (hit.primitive == kTop || hit.primitive == kBottom) {
         const double up = hit.primitive == kTop ? 1.0 : -1.0;

@@ -15,8 +15,7 @@ Vec3 spawnOrigin(const SurfacePoint& point, const Vec3& direction) {
     for (int axis = 0; axis < 3; ++axis) {
         const double offset = side * distance * normal[axis];
         origin[axis] = static_cast<float>(point.position[axis] + offset);
-        if (offset > 0) origin[axis] = std::nextafter(origin[axis], kInfinity);
-        if (offset < 0) origin[axis] = std::nextafter(origin[axis], -kInfinity);
+        if (offset != 0) origin[axis] = nextTowards(origin[axis], offset > 0);
     }
     return origin;
 }

@@ -19,7 +19,8 @@ struct Ray {
 /// The least that a hit must carry; all else is derived from it.
 struct Hit {
     float t = kInfinity;
-    float u = 0, v = 0;          // barycentric weights of a triangle's second and third vertex; 0 for a shape
+    float u = 0, v = 0;          // barycentric weights of a triangle's second and third vertex; for a shape
+                                 // u is what t lacks of the root in double, v is 0
     std::uint32_t primitive = 0; // triangle of a mesh; face of a shape
     std::uint32_t instance = 0;
 };

@@ -34,7 +34,7 @@ struct Cylinder {
 using Shape = std::variant<Sphere, Plane, Box, Cylinder>;
 
 /// Closest hit in (tMin, tMax), or nothing; `primitive` is the face: a box counts −x +x −y +y −z +z as 0 to
-/// 5, a cylinder side, top and bottom as 0, 1, 2. `u`, `v` and `instance` stay 0. Never returns NaN.
+/// 5, a cylinder side, top and bottom as 0, 1, 2. `v` and `instance` stay 0. Never returns NaN.
 /// Thread-safe. Roots of quadrics are found in double. Haines, Günther, Akenine-Möller 2019, "Precision
 /// Improvements for Ray/Sphere Intersection", Ray Tracing Gems, chapter 7.
 std::optional<Hit> intersect(const Sphere&, const Ray&);

@@ -30,14 +30,15 @@ inline std::optional<Hit> firstEnd(const Passage& passage, const Ray& ray) {
     if (!(passage.in.t <= passage.out.t)) return {};
     for (const Crossing& end : {passage.in, passage.out}) {
         const float t = static_cast<float>(end.t);
-        if (t > ray.tMin && t < ray.tMax) return Hit{.t = t, .primitive = end.face};
+        if (t > ray.tMin && t < ray.tMax)
+            return Hit{.t = t, .u = static_cast<float>(end.t - t), .primitive = end.face};
     }
     return {};
 }
 
-/// The point of the ray at a hit that firstEnd returned, from t in double.
-inline DVec3 pointAtHit(const Passage& passage, const Ray& ray, const Hit& hit) {
-    const double t = static_cast<float>(passage.in.t) == hit.t ? passage.in.t : passage.out.t;
+/// The point of the ray at a hit that firstEnd returned.
+inline DVec3 pointAtHit(const Ray& ray, const Hit& hit) {
+    const double t = static_cast<double>(hit.t) + hit.u;
     return DVec3(ray.origin) + t * DVec3(ray.direction);
 }
 

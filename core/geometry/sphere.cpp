@@ -24,7 +24,7 @@ std::optional<Hit> intersect(const Sphere& sphere, const Ray& ray) {
 }
 
 SurfacePoint surfaceAt(const Sphere& sphere, const Ray& ray, const Hit& hit) {
-    const DVec3 normal = safeNormalize(pointAtHit(passThrough(sphere, ray), ray, hit));
+    const DVec3 normal = safeNormalize(pointAtHit(ray, hit));
     return surfacePoint(static_cast<double>(sphere.radius) * normal, normal);
 }
 

@@ -129,9 +129,7 @@ private:
     }
 
     void place(const DMat4& transform, Geometry geometry, RayMask mask, const WorldObject& object) {
-        const DMat4 toWorld = relativeTo(world_.origin, transform);
-        instances_.push_back({.objectToWorld = Affine::from(toWorld),
-                              .worldToObject = Affine::from(glm::inverse(toWorld)),
+        instances_.push_back({.placement = Placement(relativeTo(world_.origin, transform)),
                               .geometry = std::move(geometry),
                               .mask = mask});
         world_.objects.push_back(object);

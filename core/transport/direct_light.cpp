@@ -6,10 +6,10 @@ namespace eyeray {
 namespace {
 
 float specularLobe(const ShadingPoint& p, const Vec3& wi) {
-    const bool phong = p.surface.specularModel == SpecularModel::Phong;
+    const bool phong = p.surface->specularModel == SpecularModel::Phong;
     const float cosine =
         phong ? glm::dot(reflected(wi, p.normal), p.wo) : glm::dot(p.normal, glm::normalize(wi + p.wo));
-    return cosine > 0 ? std::pow(cosine, p.surface.shininess) : 0.0F;
+    return cosine > 0 ? std::pow(cosine, p.surface->shininess) : 0.0F;
 }
 
 }
@@ -17,8 +17,8 @@ float specularLobe(const ShadingPoint& p, const Vec3& wi) {
 LocalTerms localModel(const ShadingPoint& p, const Vec3& wi) {
     const float cosine = glm::dot(p.normal, wi);
     if (!(cosine > 0) || !(glm::dot(p.geometricNormal, wi) > 0)) return {};
-    LocalTerms terms{.diffuse = p.surface.diffuse * cosine};
-    if (!isBlack(p.surface.specular)) terms.specular = p.surface.specular * specularLobe(p, wi);
+    LocalTerms terms{.diffuse = p.surface->diffuse * cosine};
+    if (!isBlack(p.surface->specular)) terms.specular = p.surface->specular * specularLobe(p, wi);
     return terms;
 }
 

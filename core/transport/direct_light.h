@@ -61,8 +61,9 @@ Color filteredStraight(SampleState<Index, Recorder>& state, Ray ray, MediumStack
             transmitted *= transmittanceOf(world.materials[medium.material].surface.attenuation, length);
         }
         if (!hit || isBlack(transmitted)) return transmitted;
-        const ShadingPoint p = shadingPointAt<F>(world, state.geometry, ray, *hit);
-        transmitted *= p.surface.transmission;
+        std::optional<Surface> own;
+        const ShadingPoint p = shadingPointAt<F>(world, state.geometry, ray, *hit, own);
+        transmitted *= p.surface->transmission;
         if (p.object->solid) media = p.front ? media.entered(p.instance) : media.left(p.instance);
         ray.origin = spawnOrigin(p.at, ray.direction);
         ray.tMax -= length;
@@ -93,7 +94,7 @@ Color directLight(SampleState<Index, Recorder>& state, const ShadingPoint& p, co
                   int record) {
     constexpr float kBeforeLamp = 1 - 1e-6F;
     const TraceContext& context = state.context;
-    Color radiance = p.surface.emission + p.surface.ambient * context.world->scene->ambient;
+    Color radiance = p.surface->emission + p.surface->ambient * context.world->scene->ambient;
     for (const WorldLight& light : context.lights) {
         const auto note = [&]([[maybe_unused]] LampTerm term) {
             if constexpr (Recorder::kOn) {

@@ -16,11 +16,11 @@ struct Interface {
 };
 
 Interface interfaceAt(const World& world, const ShadingPoint& p, const MediumStack& media) {
-    if (!p.object->solid) return {iorOf(world, media.top()) / p.surface.ior, media};
-    if (p.front) return {iorOf(world, media.top()) / p.surface.ior, media.entered(p.instance)};
+    if (!p.object->solid) return {iorOf(world, media.top()) / p.surface->ior, media};
+    if (p.front) return {iorOf(world, media.top()) / p.surface->ior, media.entered(p.instance)};
     const MediumStack beyond = media.left(p.instance);
     // an eye that stands in an open mesh leaves what it never entered
-    const float inside = media.contains(p.instance) ? iorOf(world, media.top()) : p.surface.ior;
+    const float inside = media.contains(p.instance) ? iorOf(world, media.top()) : p.surface->ior;
     return {inside / iorOf(world, beyond.top()), beyond};
 }
 
@@ -43,7 +43,7 @@ Color mirrorShare(const Surface& surface, float cosine) {
 /// Total internal reflection takes all that Fresnel's equations divide, whatever the weights.
 void addGlass(const World& world, const TraceSettings& settings, const ShadingPoint& p,
               const MediumStack& media, NextRays& next) {
-    const Surface& surface = p.surface;
+    const Surface& surface = *p.surface;
     const Interface interface = interfaceAt(world, p, media);
     const float cosine = glm::dot(p.normal, p.wo);
     std::optional<Vec3> direction = refracted(p.wo, p.normal, interface.eta);
@@ -72,9 +72,9 @@ NextRays nextRays(const World& world, const TraceSettings& settings, const Shadi
                   const MediumStack& media) {
     NextRays next;
     next.reflectedShare = settings.fresnel == FresnelMode::Exact
-                              ? mirrorShare(p.surface, glm::dot(p.normal, p.wo))
-                              : p.surface.reflectivity;
-    if (p.surface.transmits()) addGlass(world, settings, p, media, next);
+                              ? mirrorShare(*p.surface, glm::dot(p.normal, p.wo))
+                              : p.surface->reflectivity;
+    if (p.surface->transmits()) addGlass(world, settings, p, media, next);
     if (!isBlack(next.reflectedShare)) next.reflection = mirrorDirection(p);
     return next;
 }

@@ -31,9 +31,9 @@ HitRecord hitRecordOf(const World& world, const ShadingPoint& p, const Hit& hit)
             .normal = p.normal,
             .geometricNormal = p.geometricNormal,
             .front = p.front,
-            .emission = p.surface.emission,
-            .ambient = p.surface.ambient * world.scene->ambient,
-            .diffuseReflectance = p.surface.diffuse};
+            .emission = p.surface->emission,
+            .ambient = p.surface->ambient * world.scene->ambient,
+            .diffuseReflectance = p.surface->diffuse};
 }
 
 }

@@ -29,7 +29,8 @@ Color radianceAlong(SampleState<Index, Recorder>& state, const TreeRay& treeRay,
     if constexpr (Recorder::kOn) record = state.recorder.add(recordOf(world, treeRay, hit, transmitted));
     Color radiance;
     if (hit) {
-        const ShadingPoint p = shadingPointAt<F>(world, state.geometry, treeRay.ray, *hit);
+        std::optional<Surface> own;
+        const ShadingPoint p = shadingPointAt<F>(world, state.geometry, treeRay.ray, *hit, own);
         if constexpr (Recorder::kOn) state.recorder.at(record).hit = hitRecordOf(world, p, *hit);
         radiance = directLight<F>(state, p, treeRay, record);
         radiance += onward(p, treeRay.weight * transmitted, record);

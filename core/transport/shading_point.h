@@ -22,21 +22,21 @@ struct ShadingPoint {
     bool front;           // the surface's own side was hit
     std::uint32_t instance;
     const WorldObject* object;
-    Surface surface;
+    const Surface* surface; // of the World, or what the caller holds
 };
 
-/// The point that `hit` of `ray` (of unit direction) describes.
+/// The point that `hit` of `ray` (of unit direction) describes. `own` is to live as long: it holds the
+/// surface of a material that varies.
 template <Features F, class Index>
 ShadingPoint shadingPointAt(const World& world, const IndexedGeometry<Index>& geometry, const Ray& ray,
-                            const Hit& hit) {
+                            const Hit& hit, std::optional<Surface>& own) {
     ShadingPoint p;
     p.at = surfaceAt(geometry, ray, hit);
     p.wo = -ray.direction;
     p.front = glm::dot(p.at.geometricNormal, p.wo) >= 0;
     p.geometricNormal = p.front ? p.at.geometricNormal : -p.at.geometricNormal;
-    p.normal =
-        glm::dot(p.at.shadingNormal, p.at.geometricNormal) < 0 ? -p.at.shadingNormal : p.at.shadingNormal;
-    if (!p.front) p.normal = -p.normal;
+    const bool sameSide = glm::dot(p.at.shadingNormal, p.at.geometricNormal) >= 0;
+    p.normal = p.front == sameSide ? p.at.shadingNormal : -p.at.shadingNormal;
     if (!(glm::dot(p.normal, p.wo) > 0)) p.normal = p.geometricNormal;
     p.instance = hit.instance;
     p.object = &world.objects[hit.instance];
@@ -44,11 +44,12 @@ ShadingPoint shadingPointAt(const World& world, const IndexedGeometry<Index>& ge
     if constexpr (F.varying) {
         if (material.varies || p.object->vertexColors) {
             const auto uv = [&](int set) { return textureCoordinates(geometry, p.at, hit, set); };
-            p.surface = surfaceAt(world, material, uv, Color(vertexColor(geometry, hit)));
+            own = surfaceAt(world, material, uv, Color(vertexColor(geometry, hit)));
+            p.surface = &*own;
             return p;
         }
     }
-    p.surface = material.surface;
+    p.surface = &material.surface;
     return p;
 }
 

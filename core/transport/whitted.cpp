@@ -21,7 +21,7 @@ public:
 private:
     Color onward(const TreeRay& ray, const ShadingPoint& p, const Color& weight, int record) {
         const TraceSettings& settings = state_.context.settings;
-        const bool goesOn = p.surface.reflects() || p.surface.transmits();
+        const bool goesOn = p.surface->reflects() || p.surface->transmits();
         if (!goesOn || (!Recorder::kOn && ray.depth >= settings.maxDepth)) return Color(0);
         const NextRays next = nextRays(*state_.context.world, settings, p, ray.media);
         const float cosine = glm::dot(p.normal, p.wo);

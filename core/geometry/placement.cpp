@@ -1,0 +1,77 @@
+#include "core/geometry/placement.h"
+
+namespace eyeray {
+namespace {
+
+// Covers the rounding of the few float operations that apply a bound.
+constexpr double kSlack = 1 + 0x1p-20;
+
+DMat3 absolute(const Mat3& m) {
+    return {glm::abs(DVec3(m[0])), glm::abs(DVec3(m[1])), glm::abs(DVec3(m[2]))};
+}
+
+double largestEntry(const DMat3& m) {
+    double largest = 0;
+    for (int column = 0; column < 3; ++column)
+        for (int row = 0; row < 3; ++row) largest = std::fmax(largest, std::fabs(m[column][row]));
+    return largest;
+}
+
+bool scalesEvenly(const Mat3& m) { return m[0][0] > 0 && m == m[0][0] * Mat3(1); }
+
+Vec3 mapped(const Mat3& map, const Vec3& normal) {
+    const DVec3 n(map * normal);
+    return Vec3(n / std::sqrt(glm::dot(n, n)));
+}
+
+}
+
+Placement::Placement(const DMat4& objectToWorld)
+    : objectToWorld_(Affine::from(objectToWorld)), worldToObject_(Affine::from(glm::inverse(objectToWorld))) {
+    const DMat3 normals = glm::transpose(DMat3(worldToObject_.linear));
+    normals_ = Mat3(normals / largestEntry(normals));
+    translates_ = objectToWorld_.linear == Mat3(1);
+    keepsNormals_ = scalesEvenly(objectToWorld_.linear);
+
+    const DMat3 there = absolute(objectToWorld_.linear), back = absolute(worldToObject_.linear);
+    const DVec3 moved = glm::abs(DVec3(objectToWorld_.translation));
+    const DVec3 movedBack = glm::abs(DVec3(worldToObject_.translation));
+    const double way = kSlack * gammaBound(6), result = kSlack * gammaBound(2);
+    errorGrowth_ = Mat3(way * (there * back * there) + result * there);
+    errorBase_ = Vec3(way * (there * (back * moved + movedBack)) + result * moved);
+}
+
+SurfacePoint Placement::toWorld(const SurfacePoint& point) const {
+    SurfacePoint result;
+    result.error = errorAt(point.position);
+    if (translates_) {
+        result.position = point.position + objectToWorld_.translation;
+        result.error += point.error;
+    } else {
+        result.position =
+            Vec3(DMat3(objectToWorld_.linear) * DVec3(point.position) + DVec3(objectToWorld_.translation));
+        for (int axis = 0; axis < 3; ++axis)
+            result.error += glm::abs(objectToWorld_.linear[axis]) * point.error[axis];
+    }
+    if (keepsNormals_) {
+        result.geometricNormal = point.geometricNormal;
+        result.shadingNormal = point.shadingNormal;
+        return result;
+    }
+    result.geometricNormal = mapped(normals_, point.geometricNormal);
+    result.shadingNormal = point.shadingNormal == point.geometricNormal
+                               ? result.geometricNormal
+                               : mapped(normals_, point.shadingNormal);
+    return result;
+}
+
+Bounds Placement::worldBounds(const Bounds& object) const {
+    Bounds world = boundsOf(objectToWorld_, object);
+    if (!world.finite()) return world;
+    const Vec3 error = errorAt(glm::max(glm::abs(object.lo), glm::abs(object.hi)));
+    world.lo -= error;
+    world.hi += error;
+    return world;
+}
+
+}

@@ -1,0 +1,46 @@
+#pragma once
+// Where an object stands: the map of its points to the world and back, prepared for rays and hits.
+
+#include "core/base/math.h"
+#include "core/geometry/affine.h"
+#include "core/geometry/bounds.h"
+#include "core/geometry/ray.h"
+
+namespace eyeray {
+
+class Placement {
+public:
+    Placement() : Placement(DMat4(1)) {}
+    /// From object space to the world's, by any affine map that has an inverse.
+    explicit Placement(const DMat4& objectToWorld);
+
+    /// The direction is not renormalised, so t means the same in both spaces.
+    Ray toObject(const Ray& ray) const {
+        if (!translates_) return worldToObject_.ray(ray);
+        return {ray.origin + worldToObject_.translation, ray.direction, ray.tMin, ray.tMax};
+    }
+    Vec3 toObject(const Vec3& point) const { return worldToObject_.point(point); }
+
+    /// A surface point of object space in world space. Normals by the inverse transpose (Turkowski 1990,
+    /// "Properties of Surface-Normal Transformations", Graphics Gems): what is in front of the surface in
+    /// object space stays in front of it, also under a map that mirrors, as glTF says of the winding of
+    /// triangles. The error bound grows by errorAt (Pharr, Jakob, Humphreys 2023, "Physically Based
+    /// Rendering" 4th ed., section 6.8.4).
+    SurfacePoint toWorld(const SurfacePoint&) const;
+
+    /// How far the world position of an object-space point, mapped back as a ray's origin, may lie from the
+    /// point through rounding: of both maps' entries, of both results. In world space, per axis.
+    Vec3 errorAt(const Vec3& objectPoint) const { return errorGrowth_ * glm::abs(objectPoint) + errorBase_; }
+
+    /// Holds every world point whose way back to object space, with its rounding, leads into the box.
+    Bounds worldBounds(const Bounds& object) const;
+
+private:
+    Affine objectToWorld_, worldToObject_;
+    Mat3 normals_;                   // the inverse transpose, scaled to entries up to 1
+    Mat3 errorGrowth_;               // of errorAt: per metre of the point's distance from the origin
+    Vec3 errorBase_;                 // of errorAt: at the origin
+    bool translates_, keepsNormals_; // moves only; moves, and scales evenly
+};
+
+}
