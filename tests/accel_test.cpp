@@ -1,7 +1,9 @@
 // labels: unit
-// Scenes through either index: same hits, same bits; ties, masks, unbounded planes.
+// Scenes through every index, the wide one with every instruction set: same hits, same bits; ties, masks,
+// unbounded planes.
 
 #include <gtest/gtest.h>
+#include <hwy/targets.h>
 
 #include "core/geometry/accel.h"
 #include "tests/geometry_cases.h"
@@ -55,9 +57,33 @@ void expectSame(const std::optional<Hit>& a, const std::optional<Hit>& b) {
     EXPECT_EQ(a->instance, b->instance);
 }
 
-TEST(Bvh2AndBruteForce, FindTheSameHitsBitForBit) {
+/// Runs `body` as a machine would that has no more than each of the instruction sets in turn.
+template <class Body>
+void withEachInstructionSet(const Body& body) {
+    for (const std::int64_t target : hwy::SupportedAndGeneratedTargets()) {
+        SCOPED_TRACE(hwy::TargetName(target));
+        hwy::SetSupportedTargetsForTest(target);
+        body();
+    }
+    hwy::SetSupportedTargetsForTest(0);
+}
+
+template <class Index>
+class EachIndex : public testing::Test {};
+using Indices = testing::Types<BruteForce, Bvh2, Bvh8>;
+TYPED_TEST_SUITE(EachIndex, Indices);
+
+template <class Index>
+class EachTree : public testing::Test {};
+using Trees = testing::Types<Bvh2, Bvh8>;
+TYPED_TEST_SUITE(EachTree, Trees);
+
+TEST(InstructionSets, AreSeveral) { EXPECT_GE(hwy::SupportedAndGeneratedTargets().size(), 2U); }
+
+template <class Index>
+void expectTheHitsOfBruteForce() {
     for (const double size : {1e-3, 1.0, 1e3}) {
-        const auto tree = mixedScene<Bvh2>(size, 1);
+        const auto tree = mixedScene<Index>(size, 1);
         const auto all = mixedScene<BruteForce>(size, 1);
         Random random(2);
         int hits = 0;
@@ -71,14 +97,18 @@ TEST(Bvh2AndBruteForce, FindTheSameHitsBitForBit) {
                 EXPECT_TRUE(!hit || mask == RayMask::All || tree.instances[hit->instance].mask == mask);
             }
             hits += closestHit(tree, r) ? 1 : 0;
-            if (HasFailure()) FAIL() << "size " << size << ", ray " << i;
+            if (testing::Test::HasFailure()) FAIL() << "size " << size << ", ray " << i;
         }
         EXPECT_GT(hits, 1'200);
     }
 }
 
-TEST(Bvh2AndBruteForce, AgreeOnRaysThatEndBeforeOrBeginAfterTheHit) {
-    const auto tree = mixedScene<Bvh2>(1, 3);
+TYPED_TEST(EachTree, FindsTheHitsOfBruteForceBitForBit) {
+    withEachInstructionSet([] { expectTheHitsOfBruteForce<TypeParam>(); });
+}
+
+TYPED_TEST(EachTree, AgreesOnRaysThatEndBeforeOrBeginAfterTheHit) {
+    const auto tree = mixedScene<TypeParam>(1, 3);
     const auto all = mixedScene<BruteForce>(1, 3);
     Random random(4);
     for (int i = 0; i < 10'000; ++i) {
@@ -93,15 +123,15 @@ TEST(Bvh2AndBruteForce, AgreeOnRaysThatEndBeforeOrBeginAfterTheHit) {
         expectSame(behind, closestHit(all, r));
         EXPECT_EQ(anyHit(tree, r), behind.has_value());
         EXPECT_TRUE(!behind || behind->t > hit->t);
-        if (HasFailure()) FAIL() << i;
+        if (testing::Test::HasFailure()) FAIL() << i;
     }
 }
 
-TEST(ClosestHit, IsTheNearestOfAllObjects) {
-    std::vector<Instance<Bvh2>> row;
+TYPED_TEST(EachIndex, FindsTheNearestOfAllObjects) {
+    std::vector<Instance<TypeParam>> row;
     for (const double z : {-7.0, -3.0, -5.0})
-        row.push_back(place<Bvh2>(glm::translate(DMat4(1), DVec3(0, 0, z)), Shape(Sphere{1})));
-    const auto scene = indexInstances<Bvh2>(row, {});
+        row.push_back(place<TypeParam>(glm::translate(DMat4(1), DVec3(0, 0, z)), Shape(Sphere{1})));
+    const auto scene = indexInstances<TypeParam>(row, {});
     const auto hit = closestHit(scene, ray({0, 0, 0}, {0, 0, -1}));
     ASSERT_TRUE(hit);
     EXPECT_EQ(hit->instance, 1U);
@@ -132,22 +162,21 @@ void expectLowerIdWins(const std::vector<Shape>& shapes, const DMat4& placement)
     }
 }
 
-TEST(ClosestHit, OfCoincidentSurfacesIsTheLowerId) {
+TYPED_TEST(EachIndex, TakesTheLowerIdOfCoincidentSurfaces) {
     const DMat4 turned = glm::rotate(DMat4(1), 1.4, glm::normalize(DVec3(1, 0.1, 0.2)));
     const Shape sheet = Plane{9, 9, true}, ball = Sphere{1}, endless = Plane{.doubleSided = true};
     for (const auto& pair :
          {std::vector{sheet, sheet, sheet}, {ball, ball}, {endless, sheet}, {sheet, endless}}) {
-        expectLowerIdWins<Bvh2>(pair, turned);
-        expectLowerIdWins<BruteForce>(pair, turned);
+        expectLowerIdWins<TypeParam>(pair, turned);
     }
 }
 
-TEST(ClosestHit, OfCoincidentTrianglesIsTheLowerId) {
+TYPED_TEST(EachIndex, TakesTheLowerIdOfCoincidentTriangles) {
     TriangleMesh mesh;
     mesh.positions = {Vec3(-1, -1, 0), Vec3(1, -1, 0.3F), Vec3(0, 1, 0.1F)};
     mesh.triangles.assign(50, {0, 1, 2});
     Random random(6);
-    const auto tree = cases::geometryOf<Bvh2>(cases::shared(mesh));
+    const auto tree = cases::geometryOf<TypeParam>(cases::shared(mesh));
     for (int i = 0; i < 1000; ++i) {
         const auto hit = closestHit(tree, ray(random.inCube(0.2) + DVec3(0, 0, 3), {0, 0, -1}));
         ASSERT_TRUE(hit);
@@ -155,7 +184,7 @@ TEST(ClosestHit, OfCoincidentTrianglesIsTheLowerId) {
     }
 }
 
-TEST(ClosestHit, IgnoresTrianglesWithoutAreaAndKeepsTheOthersNumbers) {
+TYPED_TEST(EachIndex, IgnoresTrianglesWithoutAreaAndKeepsTheOthersNumbers) {
     Random random(7);
     const TriangleMesh mesh = cases::closedMesh(8, 8, 1);
     TriangleMesh dirty = mesh;
@@ -165,8 +194,8 @@ TEST(ClosestHit, IgnoresTrianglesWithoutAreaAndKeepsTheOthersNumbers) {
         const std::uint32_t a = i % first, b = (i * 7) % first;
         dirty.triangles.push_back(i % 3 == 0 ? std::array{a, b, b} : std::array{a, b, first + i % 2});
     }
-    const auto clean = cases::geometryOf<Bvh2>(cases::shared(mesh));
-    const auto tree = cases::geometryOf<Bvh2>(cases::shared(dirty));
+    const auto clean = cases::geometryOf<TypeParam>(cases::shared(mesh));
+    const auto tree = cases::geometryOf<TypeParam>(cases::shared(dirty));
     EXPECT_EQ(tree.primitives, mesh.triangles.size());
     for (int i = 0; i < 2000; ++i) {
         const Ray r = ray(random.inCube(2), random.direction());
@@ -174,21 +203,21 @@ TEST(ClosestHit, IgnoresTrianglesWithoutAreaAndKeepsTheOthersNumbers) {
     }
 }
 
-TEST(Geometry, WithNothingInItIsNotHit) {
-    const auto nothing = indexInstances<Bvh2>({}, {});
+TYPED_TEST(EachIndex, WithNothingInItIsNotHit) {
+    const auto nothing = indexInstances<TypeParam>({}, {});
     EXPECT_FALSE(closestHit(nothing, ray({0, 0, 0}, {0, 0, -1})));
     EXPECT_FALSE(anyHit(nothing, ray({0, 0, 0}, {0, 0, -1})));
-    const auto emptyMesh = cases::geometryOf<Bvh2>(cases::shared(TriangleMesh{}));
+    const auto emptyMesh = cases::geometryOf<TypeParam>(cases::shared(TriangleMesh{}));
     EXPECT_FALSE(closestHit(emptyMesh, ray({0, 0, 0}, {0, 0, -1})));
     EXPECT_EQ(emptyMesh.primitives, 0U);
 }
 
-TEST(Geometry, WithAMapThatIsNoMapIsNotHit) {
-    std::vector<Instance<Bvh2>> instances;
-    instances.push_back(place<Bvh2>(DMat4(0), Shape(Sphere{1})));
-    instances.push_back(place<Bvh2>(DMat4(std::nan("")), Shape(Box{})));
-    instances.push_back(place<Bvh2>(DMat4(0), Shape(Plane{})));
-    const auto scene = indexInstances<Bvh2>(instances, {});
+TYPED_TEST(EachIndex, WithAMapThatIsNoMapIsNotHit) {
+    std::vector<Instance<TypeParam>> instances;
+    instances.push_back(place<TypeParam>(DMat4(0), Shape(Sphere{1})));
+    instances.push_back(place<TypeParam>(DMat4(std::nan("")), Shape(Box{})));
+    instances.push_back(place<TypeParam>(DMat4(0), Shape(Plane{})));
+    const auto scene = indexInstances<TypeParam>(instances, {});
     EXPECT_FALSE(closestHit(scene, ray({0, 5, 5}, {0, -1, -1})));
 }
 
@@ -204,12 +233,12 @@ TEST(Geometry, CountsTrianglesAndShapesPerInstanceAndBytesPerMesh) {
     EXPECT_EQ(many.nodes, one.nodes + 4);
 }
 
-TEST(Geometry, StoppedWhileBuiltIsEmpty) {
+TYPED_TEST(EachTree, StoppedWhileBuiltIsEmpty) {
     const std::stop_source stop;
     stop.request_stop();
-    const auto mesh = indexMesh<Bvh2>(cases::shared(cases::closedMesh(8, 8, 1)), stop.get_token());
+    const auto mesh = indexMesh<TypeParam>(cases::shared(cases::closedMesh(8, 8, 1)), stop.get_token());
     EXPECT_EQ(mesh->index.nodeCount(), 0U);
-    EXPECT_TRUE(mesh->corners.empty());
+    EXPECT_TRUE(mesh->triangles.bytes() == 0);
 }
 
 }

@@ -150,7 +150,7 @@ TEST_F(Documents, EverySettingReadsBackWhatItWrites) {
         {"samples", {"1", "16", "1000000"}, {"0", "1000001", "1.5", "-3"}},
         {"seconds", {"0", "2.5", "1000000"}, {"-1", "1000001"}},
         {"error", {"0", "0.01", "1"}, {"-0.01", "2"}},
-        {"accel", {"auto", "brute", "bvh2"}, {"kd"}},
+        {"accel", {"auto", "brute", "bvh2", "bvh8"}, {"kd"}},
         {"threads", {"0", "1", "1024"}, {"-1", "1025", "1.5"}},
         {"seed", {"0", "1", "2147483647"}, {"-1", "2147483648"}}};
     ASSERT_EQ(cases.size(), settings().size());

@@ -30,13 +30,16 @@ DVec3 onRandomVertex(Random& random, const TriangleMesh& mesh) { return DVec3(ra
 /// How many of `rays` rays from around `center` to the target, all inside a closed mesh, get out.
 template <class Target>
 int leaks(const TriangleMesh& mesh, const DVec3& center, double spread, int rays, Target&& target) {
-    const auto geometry = cases::geometryOf<Bvh2>(cases::shared(mesh));
+    const auto binary = cases::geometryOf<Bvh2>(cases::shared(mesh));
+    const auto wide = cases::geometryOf<Bvh8>(cases::shared(mesh));
     Random random(7);
     int count = 0;
     for (int i = 0; i < rays; ++i) {
         const DVec3 origin(Vec3(center + random.inCube(spread)));
         const Ray r = ray(origin, target(random, mesh) - origin);
-        if (!closestHit(geometry, r) || !anyHit(geometry, r)) ++count;
+        const bool held =
+            closestHit(binary, r) && anyHit(binary, r) && closestHit(wide, r) && anyHit(wide, r);
+        if (!held) ++count;
     }
     return count;
 }

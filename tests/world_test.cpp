@@ -72,10 +72,12 @@ Difference compare(const std::vector<Color>& a, const std::vector<Color>& b) {
 TEST(World, BvhAndBruteForceGiveTheSameBits) {
     for (std::uint32_t seed = 1; seed <= 3; ++seed) {
         const Tracing brute(mixedScene(seed), toDepth(4), kWidth, kHeight, AccelKind::Brute);
-        const Tracing bvh(mixedScene(seed), toDepth(4), kWidth, kHeight, AccelKind::Bvh2);
-        const TileResult a = brute.tile(), b = bvh.tile();
-        EXPECT_EQ(a.radiance, b.radiance) << seed;
-        EXPECT_EQ(a.counts.rays, b.counts.rays) << seed;
+        const TileResult a = brute.tile();
+        for (const AccelKind kind : {AccelKind::Bvh2, AccelKind::Bvh8}) {
+            const TileResult b = Tracing(mixedScene(seed), toDepth(4), kWidth, kHeight, kind).tile();
+            EXPECT_EQ(a.radiance, b.radiance) << seed;
+            EXPECT_EQ(a.counts.rays, b.counts.rays) << seed;
+        }
     }
 }
 
@@ -170,15 +172,7 @@ TEST(World, CountsPrimitivesOfAllInstances) {
     add(scene, Sphere{1}, matte(Color(1)));
     const Tracing tracing(scene);
     EXPECT_EQ(tracing.world().primitives, 2 * mesh.triangles.size() + 1);
-    EXPECT_EQ(tracing.world().accelKind, AccelKind::Bvh2);
-}
-
-TEST(World, OfAFewPrimitivesIsNotIndexed) {
-    Scene scene = underSky(Color(0));
-    for (std::size_t i = 0; i < kBruteForceLimit; ++i) add(scene, Sphere{1}, matte(Color(1)));
-    EXPECT_EQ(Tracing(scene).world().accelKind, AccelKind::Brute);
-    add(scene, Sphere{1}, matte(Color(1)));
-    EXPECT_EQ(Tracing(scene).world().accelKind, AccelKind::Bvh2);
+    EXPECT_EQ(tracing.world().accelKind, AccelKind::Bvh8);
 }
 
 TEST(World, LeavesOutWhatIsInvisibleOrFlat) {

@@ -11,6 +11,7 @@ set(CMAKE_MESSAGE_LOG_LEVEL NOTICE) # Debian's Imath would report that its Pytho
 find_package(OpenEXR REQUIRED)
 unset(CMAKE_MESSAGE_LOG_LEVEL)
 find_package(OpenSSL REQUIRED COMPONENTS Crypto)
+find_package(hwy REQUIRED)
 
 if(EYERAY_BUILD_APP)
   find_package(glfw3 REQUIRED)

@@ -67,7 +67,7 @@ nlohmann::json statistics(const RenderJob& job, const RenderStatus& status) {
             {"mrays_per_second", status.mraysPerSecond()},
             {"deepest_ray", status.counts.deepest},
             {"accelerator",
-             {{"kind", world.accelKind == AccelKind::Brute ? "brute" : "bvh2"},
+             {{"kind", kAccelNames[static_cast<std::size_t>(world.accelKind)]},
               {"primitives", world.primitives},
               {"nodes", world.nodes},
               {"bytes", world.bytes}}},

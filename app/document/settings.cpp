@@ -12,7 +12,6 @@ namespace {
 
 using namespace std::string_view_literals;
 
-constexpr std::array kAccelNames = {"auto"sv, "brute"sv, "bvh2"sv};
 constexpr double kMostSeconds = 1e6;
 
 // Each setting is a reference into a Document, with how to read it.

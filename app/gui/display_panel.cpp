@@ -9,7 +9,6 @@ using namespace std::string_view_literals;
 
 constexpr std::array kToneMapLabels = {"none (linear)"sv, "clamp"sv, "Reinhard 2002"sv,
                                        "ACES (Narkowicz 2015)"sv};
-constexpr std::array kAccelNames = {"auto"sv, "brute"sv, "bvh2"sv};
 constexpr std::array kAccelLabels = {"auto"sv, "brute force"sv, "BVH"sv};
 
 }

@@ -1,13 +1,9 @@
 #include "core/geometry/accel.h"
 
-#include <tuple>
+#include "core/geometry/nearest_hit.h"
 
 namespace eyeray {
 namespace {
-
-bool sees(RayMask ray, RayMask instance) {
-    return (static_cast<unsigned>(ray) & static_cast<unsigned>(instance)) != 0;
-}
 
 // Calls offer(hit) for hits at t in (tMin, limit) until it returns true; whether it did.
 template <class Index, class Offer>
@@ -25,7 +21,7 @@ bool visitHits(const Instance<Index>& instance, std::uint32_t id, const Ray& ray
     const RayShear shear(local);
     const bool doubleSided = mesh.mesh->doubleSided;
     return mesh.index.visit(local, limit, [&](std::uint32_t slot) {
-        auto hit = intersectCorners(mesh.corners[slot], doubleSided, shear, local.tMin, limit);
+        auto hit = intersectCorners(mesh.triangles.at(slot), doubleSided, shear, local.tMin, limit);
         if (!hit) return false;
         hit->primitive = mesh.index.entries()[slot];
         hit->instance = id;
@@ -57,17 +53,12 @@ const TriangleMesh* meshOf(const IndexedGeometry<Index>& geometry, const Hit& hi
 
 template <class Index>
 std::optional<Hit> closestHit(const IndexedGeometry<Index>& geometry, const Ray& ray, RayMask mask) {
-    Hit best;
-    float limit = ray.tMax;
-    visitHits(geometry, ray, mask, limit, [&](const Hit& hit) {
-        if (hit.t < best.t ||
-            std::tie(hit.instance, hit.primitive) < std::tie(best.instance, best.primitive)) {
-            best = hit;
-            limit = nextAbove(hit.t); // an equal t is still heard of
-        }
+    NearestHit nearest(ray);
+    visitHits(geometry, ray, mask, nearest.limit(), [&](const Hit& hit) {
+        nearest.offer(hit);
         return false;
     });
-    return best.t < kInfinity ? std::optional(best) : std::nullopt;
+    return nearest.get();
 }
 
 template <class Index>
@@ -112,5 +103,9 @@ template bool anyHit(const IndexedGeometry<Bvh2>&, const Ray&, RayMask);
 template SurfacePoint surfaceAt(const IndexedGeometry<Bvh2>&, const Ray&, const Hit&);
 template Vec2 textureCoordinates(const IndexedGeometry<Bvh2>&, const SurfacePoint&, const Hit&, int);
 template Vec4 vertexColor(const IndexedGeometry<Bvh2>&, const Hit&);
+
+template SurfacePoint surfaceAt(const IndexedGeometry<Bvh8>&, const Ray&, const Hit&);
+template Vec2 textureCoordinates(const IndexedGeometry<Bvh8>&, const SurfacePoint&, const Hit&, int);
+template Vec4 vertexColor(const IndexedGeometry<Bvh8>&, const Hit&);
 
 }

@@ -1,7 +1,6 @@
 #pragma once
-// Everything that rays can hit, with an index that finds the candidates: brute force (the oracle) or a BVH.
-// A faster index joins by offering what Bvh2 offers, its constructor included, and becoming a member of
-// Accel.
+// Everything that rays can hit, with an index that finds the candidates: brute force (the oracle), a binary
+// BVH or a wide one with SIMD.
 
 #include <memory>
 #include <optional>
@@ -11,6 +10,8 @@
 
 #include "core/geometry/brute_force.h"
 #include "core/geometry/bvh2.h"
+#include "core/geometry/bvh8.h"
+#include "core/geometry/leaf_triangles.h"
 #include "core/geometry/mesh.h"
 #include "core/geometry/placement.h"
 #include "core/geometry/ray.h"
@@ -21,12 +22,16 @@ namespace eyeray {
 /// Which instances a ray looks at; the surface of a lamp casts no shadow.
 enum class RayMask : std::uint8_t { Opaque = 1, Transparent = 2, Lamp = 4, Objects = 3, All = 7 };
 
+inline bool sees(RayMask ray, RayMask instance) {
+    return (static_cast<unsigned>(ray) & static_cast<unsigned>(instance)) != 0;
+}
+
 /// A mesh with an index over its triangles; shared between Worlds while the mesh does not change.
 template <class Index>
 struct IndexedMesh {
     std::shared_ptr<const TriangleMesh> mesh;
     Index index;
-    std::vector<TriangleCorners> corners; // of each slot of the index: a leaf reads one stretch of memory
+    LeafTriangles<Index> triangles;
     Bounds bounds;
 };
 
@@ -47,7 +52,7 @@ struct IndexedGeometry {
     std::size_t nodes = 0, bytes = 0;     // of the indices, meshes counted once
 };
 
-using Accel = std::variant<IndexedGeometry<BruteForce>, IndexedGeometry<Bvh2>>;
+using Accel = std::variant<IndexedGeometry<BruteForce>, IndexedGeometry<Bvh2>, IndexedGeometry<Bvh8>>;
 
 /// Index over the triangles of a mesh; triangles with a non-finite vertex or no area are left out, the others
 /// keep their numbers. Throws InternalError for a vertex that does not exist. An empty index if `stop` was
@@ -68,6 +73,11 @@ std::optional<Hit> closestHit(const IndexedGeometry<Index>&, const Ray&, RayMask
 /// True if anything of the mask is hit in (tMin, tMax). Thread-safe.
 template <class Index>
 bool anyHit(const IndexedGeometry<Index>&, const Ray&, RayMask = RayMask::All);
+
+template <>
+std::optional<Hit> closestHit(const IndexedGeometry<Bvh8>&, const Ray&, RayMask);
+template <>
+bool anyHit(const IndexedGeometry<Bvh8>&, const Ray&, RayMask);
 
 /// The surface at a hit that closestHit returned for this ray, in world space. The geometric normal is the
 /// surface's own side also under mirroring transforms.

@@ -9,8 +9,11 @@
 namespace eyeray {
 namespace {
 
+template <class Index>
 constexpr int kTrianglesPerLeaf = 4;
-constexpr int kInstancesPerLeaf = 1; // mapping a ray to an instance costs more than a node
+template <>
+constexpr int kTrianglesPerLeaf<Bvh8> = Bvh8::kWidth; // one SIMD test takes them all
+constexpr int kInstancesPerLeaf = 1;                  // mapping a ray to an instance costs more than a node
 
 // Empty, so that no index takes it, unless it is finite and has an area.
 Bounds indexedBounds(const TriangleMesh& mesh, std::uint32_t triangle) {
@@ -45,12 +48,10 @@ std::shared_ptr<const IndexedMesh<Index>> indexMesh(std::shared_ptr<const Triang
         boxes.push_back(indexedBounds(*mesh, i));
         bounds.add(boxes.back());
     }
-    Index index(boxes, kTrianglesPerLeaf, stop);
-    std::vector<TriangleCorners> corners;
-    corners.reserve(index.entries().size());
-    for (const std::uint32_t triangle : index.entries()) corners.push_back(cornersOf(*mesh, triangle));
+    Index index(boxes, kTrianglesPerLeaf<Index>, stop);
+    LeafTriangles<Index> triangles(*mesh, index);
     return std::make_shared<const IndexedMesh<Index>>(
-        IndexedMesh<Index>{std::move(mesh), std::move(index), std::move(corners), bounds});
+        IndexedMesh<Index>{std::move(mesh), std::move(index), std::move(triangles), bounds});
 }
 
 template <class Index>
@@ -63,10 +64,10 @@ IndexedGeometry<Index> indexInstances(std::vector<Instance<Index>> instances, co
         boxes.push_back(
             instances[i].placement.worldBounds(std::visit(ObjectBounds<Index>{}, instances[i].geometry)));
         const auto* mesh = std::get_if<1>(&instances[i].geometry);
-        result.primitives += mesh != nullptr ? (*mesh)->corners.size() : 1;
+        result.primitives += mesh != nullptr ? (*mesh)->index.size() : 1;
         if (mesh == nullptr || !counted.insert(mesh->get()).second) continue;
         result.nodes += (*mesh)->index.nodeCount();
-        result.bytes += (*mesh)->index.bytes() + (*mesh)->corners.size() * sizeof(TriangleCorners);
+        result.bytes += (*mesh)->index.bytes() + (*mesh)->triangles.bytes();
     }
     result.instances = std::move(instances);
     result.top = Index(boxes, kInstancesPerLeaf, stop);
@@ -79,8 +80,11 @@ template std::shared_ptr<const IndexedMesh<BruteForce>> indexMesh(std::shared_pt
                                                                   const std::stop_token&);
 template std::shared_ptr<const IndexedMesh<Bvh2>> indexMesh(std::shared_ptr<const TriangleMesh>,
                                                             const std::stop_token&);
+template std::shared_ptr<const IndexedMesh<Bvh8>> indexMesh(std::shared_ptr<const TriangleMesh>,
+                                                            const std::stop_token&);
 template IndexedGeometry<BruteForce> indexInstances(std::vector<Instance<BruteForce>>,
                                                     const std::stop_token&);
 template IndexedGeometry<Bvh2> indexInstances(std::vector<Instance<Bvh2>>, const std::stop_token&);
+template IndexedGeometry<Bvh8> indexInstances(std::vector<Instance<Bvh8>>, const std::stop_token&);
 
 }

@@ -30,6 +30,8 @@ public:
 
     /// Which box each slot stands for.
     std::span<const std::uint32_t> entries() const { return entries_; }
+    /// How many boxes it holds.
+    std::size_t size() const { return entries_.size(); }
     std::size_t nodeCount() const { return 0; }
     std::size_t bytes() const { return entries_.size() * sizeof(std::uint32_t); }
 

@@ -40,6 +40,8 @@ public:
 
     /// Which box each slot stands for.
     std::span<const std::uint32_t> entries() const { return entries_; }
+    /// How many boxes it holds.
+    std::size_t size() const { return entries_.size(); }
     /// The root first; none if the tree is empty.
     std::span<const Node> nodes() const { return nodes_; }
     std::size_t nodeCount() const { return nodes_.size(); }

@@ -19,11 +19,6 @@ double largestEntry(const DMat3& m) {
 
 bool scalesEvenly(const Mat3& m) { return m[0][0] > 0 && m == m[0][0] * Mat3(1); }
 
-Vec3 mapped(const Mat3& map, const Vec3& normal) {
-    const DVec3 n(map * normal);
-    return Vec3(n / std::sqrt(glm::dot(n, n)));
-}
-
 }
 
 Placement::Placement(const DMat4& objectToWorld)
@@ -39,30 +34,6 @@ Placement::Placement(const DMat4& objectToWorld)
     const double way = kSlack * gammaBound(6), result = kSlack * gammaBound(2);
     errorGrowth_ = Mat3(way * (there * back * there) + result * there);
     errorBase_ = Vec3(way * (there * (back * moved + movedBack)) + result * moved);
-}
-
-SurfacePoint Placement::toWorld(const SurfacePoint& point) const {
-    SurfacePoint result;
-    result.error = errorAt(point.position);
-    if (translates_) {
-        result.position = point.position + objectToWorld_.translation;
-        result.error += point.error;
-    } else {
-        result.position =
-            Vec3(DMat3(objectToWorld_.linear) * DVec3(point.position) + DVec3(objectToWorld_.translation));
-        for (int axis = 0; axis < 3; ++axis)
-            result.error += glm::abs(objectToWorld_.linear[axis]) * point.error[axis];
-    }
-    if (keepsNormals_) {
-        result.geometricNormal = point.geometricNormal;
-        result.shadingNormal = point.shadingNormal;
-        return result;
-    }
-    result.geometricNormal = mapped(normals_, point.geometricNormal);
-    result.shadingNormal = point.shadingNormal == point.geometricNormal
-                               ? result.geometricNormal
-                               : mapped(normals_, point.shadingNormal);
-    return result;
 }
 
 Bounds Placement::worldBounds(const Bounds& object) const {

@@ -26,7 +26,23 @@ public:
     /// object space stays in front of it, also under a map that mirrors, as glTF says of the winding of
     /// triangles. The error bound grows by errorAt (Pharr, Jakob, Humphreys 2023, "Physically Based
     /// Rendering" 4th ed., section 6.8.4).
-    SurfacePoint toWorld(const SurfacePoint&) const;
+    SurfacePoint toWorld(const SurfacePoint& point) const {
+        SurfacePoint world;
+        world.error = errorAt(point.position);
+        if (translates_) {
+            world.position = point.position + objectToWorld_.translation;
+            world.error += point.error;
+        } else {
+            world.position = Vec3(DMat3(objectToWorld_.linear) * DVec3(point.position) +
+                                  DVec3(objectToWorld_.translation));
+            for (int axis = 0; axis < 3; ++axis)
+                world.error += glm::abs(objectToWorld_.linear[axis]) * point.error[axis];
+        }
+        world.geometricNormal = normal(point.geometricNormal);
+        world.shadingNormal = point.shadingNormal == point.geometricNormal ? world.geometricNormal
+                                                                           : normal(point.shadingNormal);
+        return world;
+    }
 
     /// How far the world position of an object-space point, mapped back as a ray's origin, may lie from the
     /// point through rounding: of both maps' entries, of both results. In world space, per axis.
@@ -36,6 +52,12 @@ public:
     Bounds worldBounds(const Bounds& object) const;
 
 private:
+    Vec3 normal(const Vec3& n) const {
+        if (keepsNormals_) return n;
+        const DVec3 mapped(normals_ * n);
+        return Vec3(mapped / std::sqrt(glm::dot(mapped, mapped)));
+    }
+
     Affine objectToWorld_, worldToObject_;
     Mat3 normals_;                   // the inverse transpose, scaled to entries up to 1
     Mat3 errorGrowth_;               // of errorAt: per metre of the point's distance from the origin

@@ -35,7 +35,10 @@ struct SurfacePoint {
 };
 
 /// The surface at a point known in double: all the error is that of rounding to float.
-SurfacePoint surfacePoint(const DVec3& position, const DVec3& unitNormal);
+inline SurfacePoint surfacePoint(const DVec3& position, const DVec3& unitNormal) {
+    const Vec3 p(position), n(unitNormal);
+    return {.position = p, .error = gammaBound(1) * glm::abs(p), .geometricNormal = n, .shadingNormal = n};
+}
 
 /// Origin of a ray that leaves `point` along `direction` and cannot meet the same surface again through
 /// rounding. Moves along the geometric normal by the error bound, then to the next float outward. Pharr,

@@ -21,7 +21,7 @@ public:
         const float growth = kGrowth * reach(ray.origin, world);
         for (int axis = 0; axis < 3; ++axis) {
             const auto i = static_cast<std::size_t>(axis);
-            inverse_[i] = 1.0F / ray.direction[axis];
+            inverse_[i] = std::clamp(1.0F / ray.direction[axis], -kLargest, kLargest);
             near_[i] = std::signbit(ray.direction[axis]) ? 1U : 0U;
             const float outward = near_[i] == 1U ? -growth : growth;
             originNear_[i] = ray.origin[axis] + outward;
@@ -32,8 +32,6 @@ public:
     /// Least t in [tMin, limit] at which the ray is in the box, infinite if there is none. `corners` are its
     /// lower and upper one.
     float enter(const std::array<std::array<float, 3>, 2>& corners, float limit) const {
-        // A zero direction in the plane of a face gives 0·∞ = NaN; comparisons in this order then keep the
-        // other axes' answer.
         float enters = tMin_, leaves = limit;
         for (std::size_t i = 0; i < 3; ++i) {
             const float t0 = (corners[near_[i]][i] - originNear_[i]) * inverse_[i];
@@ -44,18 +42,25 @@ public:
         return enters <= leaves ? enters : kInfinity;
     }
 
-private:
+    // The parts of the test, for one that takes many boxes at once.
+    float tMin() const { return tMin_; }
+    std::size_t near(std::size_t axis) const { return near_[axis]; }
+    float originNear(std::size_t axis) const { return originNear_[axis]; }
+    float originFar(std::size_t axis) const { return originFar_[axis]; }
+    float inverse(std::size_t axis) const { return inverse_[axis]; }
     // Rounding of three operations on either side.
     static constexpr float kLater = 1.0F + 2.0F * gammaBound(3);
+
+private:
+    // Stands for 1/0: so a ray in the plane of a face is at 0 there, not at 0·∞ = NaN.
+    static constexpr float kLargest = std::numeric_limits<float>::max();
     // The shear of a triangle's vertices rounds by up to 4 units of 2⁻²⁴ of their distance, the ray's map to
     // an instance by up to 12.
     static constexpr float kGrowth = 16 * 0x1p-24F;
 
     static float reach(const Vec3& origin, const Bounds& world) {
-        float farthest = 0;
-        for (int axis = 0; axis < 3; ++axis)
-            farthest = std::max({farthest, world.hi[axis] - origin[axis], origin[axis] - world.lo[axis]});
-        return farthest;
+        const Vec3 farthest = glm::max(world.hi - origin, origin - world.lo);
+        return std::max(farthest.x, std::max(farthest.y, farthest.z));
     }
 
     float tMin_;

@@ -1,9 +1,11 @@
 #pragma once
 // What tracing needs, prepared from a Scene: immutable and shared, so an edit never races with a ray.
 
+#include <array>
 #include <memory>
 #include <optional>
 #include <stop_token>
+#include <string_view>
 #include <vector>
 
 #include "core/geometry/accel.h"
@@ -13,14 +15,13 @@
 
 namespace eyeray {
 
-enum class AccelKind : std::uint8_t { Auto, Brute, Bvh2 };
+enum class AccelKind : std::uint8_t { Auto, Brute, Bvh2, Bvh8 };
+inline constexpr std::array<std::string_view, 4> kAccelNames = {"auto", "brute", "bvh2", "bvh8"};
 
 struct BuildSettings {
-    AccelKind accel = AccelKind::Auto; // Auto: brute force up to kBruteForceLimit primitives, else the BVH
+    AccelKind accel = AccelKind::Auto; // Auto: the wide BVH
     friend bool operator==(const BuildSettings&, const BuildSettings&) = default;
 };
-
-inline constexpr std::size_t kBruteForceLimit = 4;
 
 /// A material ready for tracing: its surface, and what has to be read anew at each point, if anything.
 struct WorldMaterial {
@@ -66,7 +67,7 @@ struct World {
     std::vector<WorldLight> lights;
     SceneNeeds needs;
 
-    AccelKind accelKind = AccelKind::Bvh2;            // which one Auto has become
+    AccelKind accelKind = AccelKind::Bvh8;            // which one Auto has become
     std::size_t primitives = 0, nodes = 0, bytes = 0; // of the accelerator
 };
 

@@ -74,15 +74,18 @@ Color filteredStraight(SampleState<Index, Recorder>& state, Ray ray, MediumStack
 /// Share of a lamp's light that arrives, by the named policy for glass.
 template <Features F, class Index, class Recorder>
 Color visibility(SampleState<Index, Recorder>& state, const Ray& ray, const MediumStack& media) {
+    const bool clear = !anyHit(state.geometry, ray, RayMask::Objects);
     if constexpr (F.transparent) {
         const GlassShadows policy = state.context.settings.glassShadows;
-        if (policy == GlassShadows::AllBlock)
-            return Color(anyHit(state.geometry, ray, RayMask::Objects) ? 0.0F : 1.0F);
-        if (anyHit(state.geometry, ray, RayMask::Opaque)) return Color(0);
-        if (policy == GlassShadows::OpaqueOnly) return Color(1);
-        return filteredStraight<F>(state, ray, media);
+        if (!clear && policy != GlassShadows::AllBlock) {
+            if (anyHit(state.geometry, ray, RayMask::Opaque)) return Color(0);
+            if (policy == GlassShadows::OpaqueOnly) return Color(1);
+        }
+        const bool inVacuum = media.top() == MediumStack::kVacuum;
+        if (policy == GlassShadows::Straight && !(clear && inVacuum))
+            return filteredStraight<F>(state, ray, media);
     }
-    return Color(anyHit(state.geometry, ray, RayMask::Objects) ? 0.0F : 1.0F);
+    return Color(clear ? 1.0F : 0.0F);
 }
 
 }
