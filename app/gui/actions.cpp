@@ -31,6 +31,7 @@ constexpr std::array kActions = {
     Action{"Rays", "Method: local", "F6", "set method=local"},
     Action{"Rays", "Method: cast", "F7", "set method=cast"},
     Action{"Rays", "Method: Whitted", "F8", "set method=whitted"},
+    Action{"Rays", "Rasterised by OpenGL, or traced", "G", "rasterised"},
     Action{"Rays", "Pause or go on", "Space", "pause"},
 
     Action{"Camera", "Frame the scene", "Home", "frame"},

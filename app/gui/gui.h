@@ -52,6 +52,8 @@ public:
     void setPresenter(bool);
     void setPanels(bool shown) { preferences_.panels = shown; }
     void setExplain(bool on) { preferences_.explain = on; }
+    void setRasterised(bool on) { picture_.setRasterised(on); }
+    bool rasterised() const { return picture_.rasterised(); }
     RayPane& rayPane() { return rayPane_; }
     void setFly(bool on) { fly_ = on; }
     bool fly() const { return fly_; }

@@ -39,6 +39,7 @@ void presenter(Gui& gui, const Command& command) {
 }
 void panels(Gui& gui, const Command& command) { gui.setPanels(wanted(command, gui.preferences().panels)); }
 void explain(Gui& gui, const Command& command) { gui.setExplain(wanted(command, gui.preferences().explain)); }
+void rasterised(Gui& gui, const Command& command) { gui.setRasterised(wanted(command, gui.rasterised())); }
 void rayview(Gui& gui, const Command& command) { gui.rayPane().execute(command); }
 void fly(Gui& gui, const Command& command) { gui.setFly(wanted(command, gui.fly())); }
 void fullscreen(Gui& gui, const Command& command) {
@@ -105,6 +106,8 @@ constexpr std::array kCommands = {
                "view=frame|follow|top|side|front yaw=DEG pitch=DEG right=M up=M dolly=F "
                "show=pixel|row|column|grid step=N labels=on|off",
                "Moves the outside camera; chooses whose rays are drawn.", rayview},
+    GuiCommand{"rasterised", "on=on|off",
+               "Shows what OpenGL draws of the scene: no shadows, mirrors or glass.", rasterised},
     GuiCommand{"fullscreen", "on=on|off", "Fills the screen.", fullscreen},
     GuiCommand{"fly", "on=on|off", "W A S D Q E move the eye.", fly},
     GuiCommand{"deselect", "", "Selects no object and no pixel.", deselect},

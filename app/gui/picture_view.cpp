@@ -55,10 +55,43 @@ void PictureView::draw(const Widgets& ui) {
     if (!ui.viewer.hasScene()) return;
     mouse(ui, corner);
     pickedMark(ui, corner);
+    if (rasterised_) rasterisedNote(ui, corner);
+}
+
+void PictureView::setRasterised(bool on) {
+    rasterised_ = on;
+    rasterisedFor_.reset();
+    display_.reset(); // what is traced is to be shown anew
+}
+
+void PictureView::rasterise(const Widgets& ui) {
+    const Document& document = ui.viewer.document();
+    const RasterisedFor now{ui.viewer.world(), document.camera, ui.viewer.pictureSize(),
+                            document.render.display};
+    if (!now.world || now == rasterisedFor_) return;
+    if (!rasteriser_) rasteriser_.emplace(gl_);
+    shown_ = display(rasteriser_->draw(now.world, now.camera, now.size.width, now.size.height).radiance,
+                     now.display);
+    texture_.upload(shown_);
+    ++version_;
+    rasterisedFor_ = now;
+}
+
+/// Says in the picture that it is none of the tracer's.
+void PictureView::rasterisedNote(const Widgets& ui, ImVec2 corner) const {
+    constexpr const char* kText = "rasterised by OpenGL: local illumination, z-buffer (G)";
+    const float pad = 5 * ui.scale, wrap = std::max(1.0F, static_cast<float>(shown_.width()) - 4 * pad);
+    const ImVec2 size = ImGui::CalcTextSize(kText, nullptr, false, wrap);
+    const ImVec2 at{corner.x + 2 * pad, corner.y + 2 * pad};
+    ImDrawList* list = ImGui::GetWindowDrawList();
+    list->AddRectFilled({at.x - pad, at.y - pad}, {at.x + size.x + pad, at.y + size.y + pad},
+                        IM_COL32(0, 0, 0, 170), pad);
+    list->AddText(ImGui::GetFont(), ImGui::GetFontSize(), at, IM_COL32_WHITE, kText, nullptr, wrap);
 }
 
 void PictureView::refresh(const Widgets& ui) {
     if (!ui.viewer.hasScene()) return;
+    if (rasterised_) return rasterise(ui);
     std::vector<Tile> changed = ui.viewer.session().read(picture_);
     const DisplaySettings& display = ui.viewer.document().render.display;
     if (picture_.radiance.empty()) return;

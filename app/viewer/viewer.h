@@ -21,6 +21,7 @@ namespace eyeray {
 
 struct PictureSize {
     int width = 0, height = 0; // pixels
+    friend bool operator==(const PictureSize&, const PictureSize&) = default;
 };
 
 /// A line for the person in front: what has been done, or what went wrong. Errors stay until they are
