@@ -22,7 +22,7 @@ namespace {
 constexpr float kPresenterScale = 1.6F;
 constexpr float kPanelWidth = 23;        // in letters' heights
 constexpr float kLeastPicture = 0.55F;   // of the window's width; panels give way
-constexpr float kLeastExplained = 0.66F; // likewise, with the views that explain
+constexpr float kLeastExplained = 0.61F; // likewise, with the views that explain
 
 constexpr ImGuiWindowFlags kFixed = ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize |
                                     ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoCollapse |

@@ -20,6 +20,7 @@ constexpr float kClickSlop = 4;          // pixels: a press that moves less is a
 constexpr float kNearArrow = 8;          // pixels at scale 1: a click hits an arrow so near
 constexpr std::size_t kMostPixels = 200; // whose rays are shown at once
 constexpr std::size_t kMostRays = 1000;  // beyond it nobody sees anything
+constexpr float kLegendHeight = 17;      // of the least pane with a legend, in letters' heights
 constexpr int kPixelsInLine = 24;        // of a row or column, if no step is given
 constexpr int kPixelsInGrid = 9;         // along the longer side, likewise
 
@@ -45,8 +46,8 @@ RayStyle rayStyle(bool dark, float scale) {
 }
 
 Backdrop backdropOf(bool dark) {
-    return dark ? Backdrop{Color(ink(0x3c4454)), Color(ink(0x1b1e25))}
-                : Backdrop{Color(ink(0xdfe6f0)), Color(ink(0xf7f8fa))};
+    return dark ? Backdrop{Color(ink(0x3c4454)), Color(ink(0x1b1e25)), 0.6F}
+                : Backdrop{Color(ink(0xdfe6f0)), Color(ink(0xf7f8fa)), 0.86F};
 }
 
 /// Every `step`-th pixel of a line of `count`, so that `through` is one of them.
@@ -83,7 +84,7 @@ constexpr std::array kStands = {Stand{"Frame", "rayview view=frame", "eye and sc
                                 Stand{"Top", "rayview view=top", "from above"},
                                 Stand{"Side", "rayview view=side", "from the right of the eye"},
                                 Stand{"Front", "rayview view=front", "from the scene towards the eye"}};
-constexpr std::array kShownRaysLabels = {"of the pixel", "of its row", "of its column", "of a grid"};
+constexpr std::array kShownRaysLabels = {"one pixel", "row", "column", "grid"};
 
 float comboWidth(const char* longest) {
     return ImGui::CalcTextSize(longest).x + ImGui::GetFrameHeight() + 2 * ImGui::GetStyle().FramePadding.x;
@@ -170,7 +171,7 @@ void RayPane::draw(const Widgets& ui, const PictureView& picture) {
 
 void RayPane::toolbar(const Widgets& ui) const {
     ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {ImGui::GetStyle().FramePadding.x, 0});
-    const float width = comboWidth("of its column");
+    const float width = comboWidth("one pixel");
     standButtons(ui, width);
     ImGui::SetNextItemWidth(width);
     const bool open = ImGui::BeginCombo("##shown rays", kShownRaysLabels[static_cast<std::size_t>(show_)]);
@@ -290,9 +291,10 @@ void RayPane::rayTooltip(const Widgets& ui, int arrow) const {
                            weightText(ray.weight)));
 }
 
-/// What is to be done, or which rays are shown, and a legend.
+/// What is to be done, or which rays are shown, and a legend: before all other lettering.
 void RayPane::caption(const Widgets& ui, Sketch& sketch, const RayStyle& style, ImVec2 size) const {
     const float margin = 0.7F * style.letter;
+    const std::vector<SketchLabel> others = std::exchange(sketch.labels, {});
     const auto say = [&](const std::string& text) {
         sketch.labels.push_back({{margin, margin}, text, style.text, {0, 0}, 0.9F});
     };
@@ -300,7 +302,9 @@ void RayPane::caption(const Widgets& ui, Sketch& sketch, const RayStyle& style, 
         say("click a pixel of the picture to see its rays");
     else if (show_ != ShownRays::Pixel && many_.size() < wanted_)
         say(fmt::format("{} of {} pixels: no more than {} rays are drawn", many_.size(), wanted_, kMostRays));
-    drawLegend(sketch, view_.arrows(), style, {margin, size.y - margin});
+    if (size.y > kLegendHeight * style.letter)
+        drawLegend(sketch, view_.arrows(), style, {margin, size.y - margin});
+    sketch.labels.insert(sketch.labels.end(), others.begin(), others.end());
 }
 
 }

@@ -1,6 +1,7 @@
 #include "app/gui/sketch_view.h"
 
 #include <algorithm>
+#include <optional>
 
 #include <glm/common.hpp>
 
@@ -24,18 +25,16 @@ class LabelPlaces {
 public:
     explicit LabelPlaces(Vec2 size) : size_(size) {}
 
-    /// Top left corner of a free place of this extent near to `wanted`; there, if none is free.
-    Vec2 take(const Vec2& wanted, const Vec2& extent) {
+    /// Top left corner of a free place of this extent near to `wanted`, if there is one.
+    std::optional<Vec2> take(const Vec2& wanted, const Vec2& extent) {
         const Vec2 inside = glm::clamp(wanted, Vec2(0), glm::max(size_ - extent, Vec2(0)));
-        Vec2 place = inside;
-        for (const float rows : {0.0F, 1.0F, -1.0F, 2.0F, -2.0F, 3.0F}) {
-            const Vec2 tried = inside + Vec2(0, rows * extent.y);
-            if (!free(tried, extent)) continue;
-            place = tried;
-            break;
+        for (const float rows : {0.0F, 0.6F, -0.6F, 1.2F, -1.2F, 2.0F, -2.0F}) {
+            const Vec2 place = inside + Vec2(0, rows * extent.y);
+            if (!free(place, extent)) continue;
+            taken_.push_back({place, place + extent});
+            return place;
         }
-        taken_.push_back({place, place + extent});
-        return place;
+        return std::nullopt;
     }
 
 private:
@@ -58,9 +57,10 @@ void drawLabel(ImDrawList& list, const SketchLabel& label, LabelPlaces& places, 
     const char* const begin = label.text.c_str();
     const ImVec2 text = ImGui::GetFont()->CalcTextSizeA(height, FLT_MAX, 0, begin);
     const Vec2 margin(0.27F * height, 0.09F * height), extent(text.x, text.y);
-    const Vec2 place = places.take(label.at - label.anchor * extent - margin, extent + 2.0F * margin);
-    const ImVec2 lo{std::round(corner.x + place.x), std::round(corner.y + place.y)};
-    ground.a = 0.75F;
+    const auto place = places.take(label.at - label.anchor * extent - margin, extent + 2.0F * margin);
+    if (!place) return;
+    const ImVec2 lo{std::round(corner.x + place->x), std::round(corner.y + place->y)};
+    ground.a = 0.62F;
     list.AddRectFilled(lo, {lo.x + text.x + 2 * margin.x, lo.y + text.y + 2 * margin.y}, packed(ground),
                        margin.x);
     list.AddText(ImGui::GetFont(), height, {lo.x + margin.x, lo.y + margin.y}, packed(label.ink), begin);

@@ -9,7 +9,7 @@ constexpr float kFadeRadii = 5; // infinite planes have faded out at this distan
 
 constexpr const char* kShading = R"(
 uniform vec3 base, glow, shine;
-uniform float glass, gloss, fadeRadius, pictureHeight;
+uniform float glass, gloss, fadeRadius, pictureHeight, light;
 uniform vec3 keyLight, backdropTop, backdropFoot;
 out vec4 color;
 
@@ -26,7 +26,7 @@ void main() {
     lit += shine * mix(0.12, 0.85, smoothstep(-0.25, 0.55, r.y));
     lit += gloss * pow(max(dot(r, keyLight), 0.0), 48.0);
     // paler than it is, so that the rays before it stand out
-    lit = mix(vec3(dot(lit, vec3(0.2126, 0.7152, 0.0722))), lit, 0.62) * 0.86;
+    lit = mix(vec3(dot(lit, vec3(0.2126, 0.7152, 0.0722))), lit, 0.62) * light;
     float edge = pow(1.0 - max(dot(n, v), 0.0), 3.0);
     float alpha = mix(1.0, 0.16 + 0.55 * edge, glass);
     vec3 shown = coded(mix(lit, lit + 0.35 * edge, glass) + glow);
@@ -92,6 +92,7 @@ void OutsidePainter::draw(const SceneMeshes& meshes, const Projection& projectio
     program_.set("keyLight", Vec3(glm::normalize(-0.45 * axes.right + 0.75 * axes.up + 0.7 * axes.backward)));
     program_.set("backdropTop", backdrop.top);
     program_.set("backdropFoot", backdrop.foot);
+    program_.set("light", backdrop.light);
     program_.set("pictureHeight", static_cast<float>(projection.height()));
     const float fade = kFadeRadii * meshes.world()->radius;
     std::vector<const SceneItem*> clear;

@@ -6,9 +6,11 @@
 
 namespace eyeray {
 
-/// Colours from the top to the foot of the picture behind the scene; sRGB-coded, 0 to 1.
+/// Colours from the top to the foot of the picture behind the scene, sRGB-coded, 0 to 1; and how bright a
+/// white thing is before it.
 struct Backdrop {
     Color top{0}, foot{0};
+    float light = 1;
     friend bool operator==(const Backdrop&, const Backdrop&) = default;
 };
 

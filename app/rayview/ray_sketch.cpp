@@ -116,7 +116,8 @@ private:
         pen.ink = faded(style_.ground, kHaloAlpha);
         pen.width += 2 * style_.scale;
         pen.dashes = {};
-        if (!pen.fades) drawLine(sketch_, view_, line, pen);
+        const bool crowded = thickness_ < 1;
+        if (!pen.fades && !crowded) drawLine(sketch_, view_, line, pen);
     }
 
     void highlight(const Arrow& arrow, Pen pen) {
@@ -222,12 +223,12 @@ void drawEye(Sketch& sketch, const DepthView& view, const ImagePlane& plane, con
         drawDisc(sketch, eye->at, radius + 1.5F * style.scale, style.ground);
         drawDisc(sketch, eye->at, radius, style.text);
         drawDisc(sketch, eye->at, 0.45F * radius, style.ground);
-        if (labels) sketch.labels.push_back({eye->at + Vec2(0, 1.6F * radius), "eye", style.text, {0.5F, 0}});
+        if (labels) sketch.labels.push_back({eye->at - Vec2(0, 1.6F * radius), "eye", style.text, {0.5F, 1}});
     }
     if (!labels) return;
     const auto middle = projection.point(0.5 * (plane.corners[0] + plane.corners[2]));
     const auto a = projection.point(plane.corners[0]), b = projection.point(plane.corners[2]);
-    if (!middle || !a || !b || glm::length(a->at - b->at) < 90 * style.scale) return;
+    if (!middle || !a || !b || glm::length(a->at - b->at) < 6 * style.letter) return;
     for (int i = 0; i < 4; ++i) {
         const auto corner = projection.point(plane.corners[static_cast<std::size_t>(i)]);
         if (!corner) continue;

@@ -1,6 +1,7 @@
 #include "app/rayview/ray_view.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace eyeray {
 namespace {
@@ -96,9 +97,12 @@ void RayView::drawSketch(const RayViewContent& content, const ImagePlane& plane,
     const bool many = content.samples.size() > 1;
     drawArrows(sketch_, view, arrows_, style, arrows_.empty() || !content.pixel ? -1 : content.selectedRay,
                many ? kThinMany : 1.0F);
-    if (content.labels && !content.samples.empty())
-        if (const auto vectors = vectorsAt(*content.samples.front(), content.selectedRay))
-            drawVectors(sketch_, *projection_, *vectors, style);
+    if (!content.labels || content.samples.size() != 1) return;
+    const auto vectors = vectorsAt(*content.samples.front(), content.selectedRay);
+    if (!vectors) return;
+    const std::vector<SketchLabel> others = std::exchange(sketch_.labels, {}); // less urgent
+    drawVectors(sketch_, *projection_, *vectors, style);
+    sketch_.labels.insert(sketch_.labels.end(), others.begin(), others.end());
 }
 
 }
