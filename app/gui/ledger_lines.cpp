@@ -11,6 +11,24 @@ namespace eyeray {
 namespace {
 
 constexpr int kOpenLevels = 3; // of rays that are sent on, at first
+constexpr float kWide = 46;    // in heights of a letter: from here on numbers have a column of their own
+
+/// Lines broken at spaces alone: ImGui's own wrapping also breaks a number at its point.
+std::string wrapped(const std::string& text, float width) {
+    std::string result, line;
+    for (std::size_t at = 0; at < text.size();) {
+        const std::size_t space = std::min(text.find(' ', at), text.size());
+        const std::string longer = (line.empty() ? "" : line + " ") + text.substr(at, space - at);
+        if (!line.empty() && ImGui::CalcTextSize(longer.c_str()).x > width) {
+            result += line + "\n";
+            line = text.substr(at, space - at);
+        } else {
+            line = longer;
+        }
+        at = space + 1;
+    }
+    return result + line;
+}
 
 /// The ray that a term is about, for the other views to mark.
 int rayOf(const LedgerNode& node, const SampleRecord& record) {
@@ -21,16 +39,68 @@ int rayOf(const LedgerNode& node, const SampleRecord& record) {
 
 class Lines {
 public:
-    explicit Lines(const Widgets& ui)
-        : ui_(ui), study_(ui.viewer.study()), record_(ui.viewer.picked()->trace),
+    Lines(const Widgets& ui, bool wide)
+        : ui_(ui), wide_(wide), study_(ui.viewer.study()), record_(ui.viewer.picked()->trace),
           text_{study_.ledger(), record_, *ui.viewer.document().scene, study_.settings().notation} {}
 
     void draw() {
-        line({0, false}, 0);
-        below(0, 1);
+        results();
+        below(0, 0);
+        mean();
     }
 
 private:
+    /// What it all adds up to, and what it would.
+    void results() {
+        const Color sum = evaluate(study_.ledger());
+        const auto sample = fmt::format("sample {}", ui_.viewer.picked()->sample);
+        const bool same = sum == ui_.viewer.picked()->trace.radiance;
+        result(sample, sum, same, same ? "the sum is the film's value, bit for bit" : "not the film's value",
+               "ledger total");
+        if (!study_.strikes().empty()) {
+            result("with what is struck out", evaluate(study_.ledger(), study_.strikes()), true, {},
+                   "ledger struck");
+            ImGui::TableSetColumnIndex(wide_ ? 1 : 0);
+            ui_.button("Bring all back", "strike", "undoes what was struck out");
+        }
+    }
+
+    void mean() {
+        const int samples = study_.mean().samples(), passes = study_.film().passes;
+        if (samples == 0) return;
+        const bool whole = samples == passes, right = study_.mean().value() == study_.film().mean;
+        result(fmt::format("mean of {} of {} sample{}", samples, passes, passes == 1 ? "" : "s"),
+               study_.mean().value(), right,
+               !whole ? "" : (right ? "the film's pixel, bit for bit" : "not the film's pixel"),
+               "ledger mean");
+    }
+
+    void result(const std::string& what, const Color& value, bool good, const std::string& verdict,
+                const char* name) {
+        ImGui::TableNextRow();
+        ImGui::TableNextColumn();
+        ImGui::TextUnformatted(what.c_str());
+        beside(verdict, good ? doneColor(ui_.dark) : errorColor(ui_.dark));
+        ImGui::TableNextColumn();
+        colorCell(value);
+        ui_.mark(name);
+    }
+
+    /// In the column for numbers, or below the term where there is none.
+    void beside(const std::string& text, const ImVec4& color) const {
+        if (wide_) ImGui::TableNextColumn();
+        if (text.empty()) return;
+        ImGui::PushStyleColor(ImGuiCol_Text, color);
+        ImGui::TextUnformatted(wrapped(text, ImGui::GetContentRegionAvail().x).c_str());
+        ImGui::PopStyleColor();
+    }
+
+    void colorCell(const Color& value) const {
+        swatch(ui_, value);
+        ImGui::SameLine();
+        ImGui::TextUnformatted(colorText(value).c_str());
+    }
+
     void below(int node, int level) {
         for (const LedgerLine& next : linesBelow(study_.ledger(), node)) {
             if (text_.saysNothing(next.node)) continue;
@@ -51,29 +121,26 @@ private:
         ImGui::TableNextColumn();
         ImGui::SetCursorPosX(ImGui::GetCursorPosX() +
                              1.2F * ImGui::GetFontSize() * static_cast<float>(level));
-        if (line.node > 0) check(line.node, struck);
+        check(line.node, struck);
         const bool open = term(line, level, struck);
-        ImGui::TableNextColumn();
         if (node.operation == LedgerNode::Operation::Product)
-            ImGui::TextWrapped("%s", text_.numbers(line.node).c_str());
-        ImGui::TableNextColumn();
-        const Color value = valueOf(study_.ledger(), line.node, study_.strikes());
-        swatch(ui_, value);
-        ImGui::SameLine();
-        ImGui::TextUnformatted(colorText(value).c_str());
+            beside(text_.numbers(line.node), ImGui::GetStyle().Colors[ImGuiCol_Text]);
+        ImGui::TableSetColumnIndex(wide_ ? 2 : 1);
+        colorCell(valueOf(study_.ledger(), line.node, study_.strikes()));
         return open;
     }
 
     bool marked(const LedgerNode& node) const {
-        const bool whole = node.term == Term::Radiance || node.term == Term::Sent || node.term == Term::Lamp;
-        return whole && rayOf(node, record_) == ui_.viewer.selectedRay();
+        return (node.term == Term::Sent || node.term == Term::Lamp) &&
+               rayOf(node, record_) == ui_.viewer.selectedRay();
     }
 
     void check(int node, bool struck) {
         bool counts = !struck;
         ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {0, 0});
+        ImGui::PushStyleVar(ImGuiStyleVar_FrameBorderSize, 1);
         const bool changed = ImGui::Checkbox("##counts", &counts);
-        ImGui::PopStyleVar();
+        ImGui::PopStyleVar(2);
         ui_.mark(fmt::format("strike {}", node));
         const Term term = study_.ledger().at(node).term;
         ui_.tooltip(term == Term::Visibility ? "what if it were the other way: blocked, or not blocked?"
@@ -88,8 +155,8 @@ private:
         const bool opens = node.term == Term::Sent || node.term == Term::Lamp;
         ImGuiTreeNodeFlags flags = ImGuiTreeNodeFlags_OpenOnArrow | ImGuiTreeNodeFlags_NoTreePushOnOpen;
         if (!opens) flags |= ImGuiTreeNodeFlags_Leaf;
-        if (node.term == Term::Sent && level <= kOpenLevels) flags |= ImGuiTreeNodeFlags_DefaultOpen;
-        const char* const sign = line.node == 0 ? "" : (line.factor ? "· " : "+ ");
+        if (node.term == Term::Sent && level < kOpenLevels) flags |= ImGuiTreeNodeFlags_DefaultOpen;
+        const char* const sign = line.factor ? "· " : "+ ";
         ImGui::PushStyleColor(ImGuiCol_Text,
                               struck ? ImGui::GetStyle().Colors[ImGuiCol_TextDisabled] : colorOfTerm(node));
         const bool open = ImGui::TreeNodeEx("term", flags, "%s%s", sign, text_.formula(line.node).c_str());
@@ -107,8 +174,7 @@ private:
 
     ImVec4 colorOfTerm(const LedgerNode& node) const {
         if (node.term == Term::Lamp) return colorOf(RayKind::Shadow, ui_.dark);
-        if (node.term != Term::Sent && node.term != Term::Radiance)
-            return ImGui::GetStyle().Colors[ImGuiCol_Text];
+        if (node.term != Term::Sent) return ImGui::GetStyle().Colors[ImGuiCol_Text];
         return colorOf(record_.rays[static_cast<std::size_t>(node.ray)].kind, ui_.dark);
     }
 
@@ -121,6 +187,7 @@ private:
     }
 
     const Widgets& ui_;
+    const bool wide_;
     const PixelStudy& study_;
     const SampleRecord& record_;
     const LedgerText text_;
@@ -141,13 +208,14 @@ void swatch(const Widgets& ui, const Color& radiance) {
 void ledgerLines(const Widgets& ui) {
     constexpr auto kFlags = ImGuiTableFlags_RowBg | ImGuiTableFlags_ScrollY |
                             ImGuiTableFlags_SizingStretchProp | ImGuiTableFlags_Resizable;
-    if (!ImGui::BeginTable("ledger", 3, kFlags)) return;
+    const bool wide = ImGui::GetContentRegionAvail().x > kWide * ImGui::GetFontSize();
+    if (!ImGui::BeginTable(wide ? "ledger" : "narrow ledger", wide ? 3 : 2, kFlags)) return;
     ImGui::TableSetupColumn("term", 0, 6);
-    ImGui::TableSetupColumn("in numbers", 0, 4);
-    ImGui::TableSetupColumn("gives", ImGuiTableColumnFlags_WidthFixed, 15 * ImGui::GetFontSize());
+    if (wide) ImGui::TableSetupColumn("in numbers", 0, 5);
+    ImGui::TableSetupColumn("gives", ImGuiTableColumnFlags_WidthFixed, 14 * ImGui::GetFontSize());
     ImGui::TableSetupScrollFreeze(0, 1);
     ImGui::TableHeadersRow();
-    Lines(ui).draw();
+    Lines(ui, wide).draw();
     ImGui::EndTable();
 }
 

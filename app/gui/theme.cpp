@@ -34,6 +34,9 @@ void setColors(ImVec4* colors, const Palette& p) {
     colors[ImGuiCol_TitleBg] = colors[ImGuiCol_TitleBgActive] = fromHex(p.ground.paper);
     colors[ImGuiCol_TableHeaderBg] = fromHex(p.ground.paper);
     colors[ImGuiCol_TableBorderStrong] = colors[ImGuiCol_TableBorderLight] = fromHex(p.ground.border);
+    colors[ImGuiCol_Tab] = fromHex(p.field);
+    colors[ImGuiCol_TabHovered] = fromHex(p.fieldHover);
+    colors[ImGuiCol_TabActive] = fromHex(p.fieldActive);
     colors[ImGuiCol_ModalWindowDimBg] = fromHex(0x000000, 0.4F);
 }
 

@@ -9,7 +9,7 @@
 namespace eyeray {
 namespace {
 
-constexpr float kSmallest = 0.6F, kLargest = 1.15F; // letters of the diagram against those of the window
+constexpr float kSmallest = 0.8F, kLargest = 1.15F; // letters of the diagram against those of the window
 constexpr float kMargin = 0.8F;                     // in letters, as all lengths below
 constexpr float kBar = 0.4F, kSwatch = 1.1F, kPadding = 0.4F, kKnob = 0.55F;
 constexpr int kCurveSteps = 24;

@@ -10,7 +10,7 @@ constexpr float kDetailsWidth = 19, kLeastDiagram = 26; // in heights of a lette
 
 /// A checkbox that says `tree kind=… on=…`.
 void kindSwitch(const Widgets& ui, const char* kind, bool shown, const ImVec4& color) {
-    ImGui::SameLine();
+    flow(ImGui::CalcTextSize(kind).x + 2 * ImGui::GetFrameHeight());
     ImGui::PushStyleColor(ImGuiCol_CheckMark, color);
     ImGui::PushStyleColor(ImGuiCol_Text, color);
     const bool changed = ImGui::Checkbox(kind, &shown);
@@ -38,8 +38,9 @@ void controls(const Widgets& ui) {
     kindSwitch(ui, "untraced", settings.filter.untraced, ImGui::GetStyle().Colors[ImGuiCol_TextDisabled]);
     ui.tooltip("rays that were not traced, and why");
     float least = settings.filter.leastWeight;
-    ImGui::SameLine();
-    ImGui::SetNextItemWidth(ImGui::GetFontSize() * 9);
+    const float width = ImGui::GetFontSize() * 9;
+    flow(width);
+    ImGui::SetNextItemWidth(width);
     const bool changed = ImGui::SliderFloat("##least weight", &least, 0, 1, "weight ≥ %.3f",
                                             ImGuiSliderFlags_Logarithmic | ImGuiSliderFlags_AlwaysClamp);
     ui.mark("tree least-weight");

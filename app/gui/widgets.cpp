@@ -164,6 +164,12 @@ bool panelHeading(const Widgets& ui, const char* label, bool openAtFirst) {
     return open;
 }
 
+void flow(float width) {
+    const float right = ImGui::GetWindowPos().x + ImGui::GetWindowContentRegionMax().x;
+    const float gap = ImGui::GetStyle().ItemSpacing.x;
+    if (ImGui::GetItemRectMax().x + gap + width < right) ImGui::SameLine();
+}
+
 void dimmedText(const std::string& text) {
     ImGui::PushStyleColor(ImGuiCol_Text, ImGui::GetStyle().Colors[ImGuiCol_TextDisabled]);
     ImGui::TextWrapped("%s", text.c_str());

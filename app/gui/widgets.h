@@ -57,6 +57,9 @@ private:
 /// A heading that opens and closes a panel; true if it is open.
 bool panelHeading(const Widgets&, const char* label, bool openAtFirst = true);
 
+/// Goes on in the line if a widget of this width still fits in it.
+void flow(float width);
+
 /// Text in the dimmed colour, wrapped.
 void dimmedText(const std::string& text);
 

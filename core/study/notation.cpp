@@ -65,8 +65,8 @@ bool usesHalfVector(const Scene& scene, int material) {
 }
 
 std::string number(const Color& c) {
-    if (c.r == c.g && c.g == c.b) return fmt::format("{:.4g}", c.r);
-    return fmt::format("({:.4g} {:.4g} {:.4g})", c.r, c.g, c.b);
+    if (c.r == c.g && c.g == c.b) return fmt::format("{:.3g}", c.r);
+    return fmt::format("({:.3g} {:.3g} {:.3g})", c.r, c.g, c.b);
 }
 
 void collect(const Ledger& ledger, int node, std::vector<LedgerLine>& lines) {
