@@ -1,12 +1,14 @@
 // labels: ui
 #include <algorithm>
+#include <set>
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include "app/gui/layout.h"
-#include "core/image/metrics.h"
+#include "core/image/decode.h"
 #include "tests/app_screen.h"
+#include "tests/temporary_folder.h"
 
 namespace eyeray {
 namespace {
@@ -298,6 +300,45 @@ TEST(RayView, AnglesAtTheHitAreThoseOfTheRecord) {
     EXPECT_TRUE(std::any_of(labels.begin(), labels.end(), [&](const SketchLabel& label) {
         return label.text == angle;
     })) << angle;
+}
+
+TEST(RayView, IsSavedAsAPictureThatKnowsItsScene) {
+    const TemporaryFolder folder;
+    ExplainingScreen screen;
+    screen.pick(screen.pixelOfManyRays());
+    screen.execute(
+        fmt::format("rayview-screenshot file={} width=500 height=400", (folder / "rays.png").string()));
+    const std::string bytes = textOf(folder / "rays.png");
+    const auto read = decodeImage(std::as_bytes(std::span(bytes)), "rays.png");
+    EXPECT_EQ(read.pixels.width(), 500);
+    EXPECT_EQ(read.pixels.height(), 400);
+    EXPECT_EQ(readPictureState(folder / "rays.png").scene, "homage");
+    std::set<int> colors;
+    for (const Rgba8& pixel : read.pixels.values()) colors.insert(pixel.r << 16 | pixel.g << 8 | pixel.b);
+    EXPECT_GT(colors.size(), 100U);
+}
+
+TEST(RayView, IsSavedAsVectorsWhereItsPointsAreProjected) {
+    const TemporaryFolder folder;
+    ExplainingScreen screen("shadows");
+    screen.pick(screen.pixelOf(0));
+    screen.execute(fmt::format("rayview-screenshot file={}", (folder / "rays.svg").string()));
+    const std::string svg = textOf(folder / "rays.svg");
+    ASSERT_TRUE(svg.starts_with("<svg ") && svg.ends_with("</svg>\n"));
+    EXPECT_NE(svg.find("<image "), std::string::npos);
+    EXPECT_NE(svg.find(">eye 1</text>"), std::string::npos);
+    const auto hit = screen.view().projection()->point(screen.view().arrows()[0].to);
+    ASSERT_TRUE(hit);
+    EXPECT_NE(svg.find(fmt::format("{:.2f},{:.2f} ", hit->at.x, hit->at.y)), std::string::npos);
+}
+
+TEST(RayView, IsNotSavedInAnotherFormat) {
+    const TemporaryFolder folder;
+    ExplainingScreen screen;
+    screen.execute(fmt::format("rayview-screenshot file={}", (folder / "rays.exr").string()));
+    ASSERT_EQ(screen.viewer.notices().size(), 1U);
+    EXPECT_EQ(screen.viewer.notices()[0].kind, Notice::Kind::Error);
+    EXPECT_FALSE(std::filesystem::exists(folder / "rays.exr"));
 }
 
 TEST(RayView, LayoutNeverLeavesAViewTooSmallAndFillsTheMiddle) {

@@ -11,6 +11,7 @@ constexpr std::array kActions = {
     Action{"File", "Save the scene…", "Ctrl+S", "dialog show=save"},
     Action{"File", "Picture to a file", "F12", "screenshot"},
     Action{"File", "Window to a file", "Shift+F12", "window-screenshot"},
+    Action{"File", "Rays in space to a file", "Ctrl+F12", "rayview-screenshot"},
     Action{"File", "Import report", "F2", "dialog show=report"},
     Action{"File", "Quit", "Ctrl+Q", "quit"},
 

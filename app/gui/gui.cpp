@@ -100,6 +100,7 @@ void Gui::frame() {
     noticesOverlay(ui, origin.x + size.x - panelWidth - ImGui::GetFontSize(),
                    origin.y + ImGui::GetFontSize());
     dialog(ui);
+    if (raysFile_) writeRays(ui);
     viewer_.watchFile();
     animating_ = viewer_.update() || fly_ || viewer_.noticesPass();
 }
@@ -266,6 +267,16 @@ void Gui::fileDialog(const Widgets& ui) {
     dialog_ = Dialog::None;
     execute(opening ? Command("open", {{"scene", file->string()}})
                     : Command("save", {{"file", file->string()}}));
+}
+
+void Gui::writeRays(const Widgets& ui) {
+    const RaysFile wanted = *std::exchange(raysFile_, std::nullopt);
+    try {
+        rayPane_.save(ui, picture_, wanted.file, wanted.size);
+        viewer_.report(Notice::Kind::Done, fmt::format("rays in space saved as {}", wanted.file.string()));
+    } catch (const std::exception& error) {
+        viewer_.report(Notice::Kind::Error, error.what());
+    }
 }
 
 void Gui::afterFrame() {

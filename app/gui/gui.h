@@ -57,6 +57,9 @@ public:
     RayPane& rayPane() { return rayPane_; }
     void setFly(bool on) { fly_ = on; }
     bool fly() const { return fly_; }
+    void saveRays(std::filesystem::path file, std::optional<PictureSize> size) {
+        raysFile_ = {std::move(file), size};
+    }
     void saveWindow(std::filesystem::path file) { windowFile_ = std::move(file); }
 
 private:
@@ -67,6 +70,7 @@ private:
     void middle(const Widgets&, ImVec2 at, ImVec2 size);
     void explainingTabs(const Widgets&) const;
     void panels(const Widgets&);
+    void writeRays(const Widgets&);
     void dialog(const Widgets&);
     void fileDialog(const Widgets&);
 
@@ -79,6 +83,11 @@ private:
     std::map<std::string, WidgetRect> widgets_;
     Dialog dialog_ = Dialog::None;
     bool fly_ = false, quit_ = false, animating_ = true;
+    struct RaysFile {
+        std::filesystem::path file;
+        std::optional<PictureSize> size;
+    };
+    std::optional<RaysFile> raysFile_; // the rays in space are to be written here at the end of this frame
     std::optional<std::filesystem::path>
         windowFile_; // a window screenshot is to be written here after this frame
 };

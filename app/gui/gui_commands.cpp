@@ -56,6 +56,20 @@ void windowScreenshot(Gui& gui, const Command& command) {
     gui.saveWindow(file ? std::filesystem::path(*file) : freeName(picturesFolder(), "eyeray-window"));
 }
 
+void rayviewScreenshot(Gui& gui, const Command& command) {
+    constexpr int kSmallest = 64, kLargest = 8192;
+    command.allowOnly({"file", "width", "height"});
+    const auto file = command.find("file");
+    std::optional<PictureSize> size;
+    if (command.find("width") || command.find("height")) {
+        command.required("width");
+        command.required("height");
+        size = PictureSize{*command.integer("width", kSmallest, kLargest),
+                           *command.integer("height", kSmallest, kLargest)};
+    }
+    gui.saveRays(file ? std::filesystem::path(*file) : freeName(picturesFolder(), "eyeray-rays"), size);
+}
+
 void deselect(Gui& gui, const Command&) {
     if (gui.viewer().hasScene()) {
         gui.viewer().pick(std::nullopt, false);
@@ -97,6 +111,8 @@ void nextCamera(Gui& gui, const Command&) {
 constexpr std::array kCommands = {
     GuiCommand{"dialog", "show=open|save|help|report|none", "Shows a dialog.", dialog},
     GuiCommand{"window-screenshot", "file=FILE.png", "Saves the whole window.", windowScreenshot},
+    GuiCommand{"rayview-screenshot", "file=FILE.png|.svg width=N height=N",
+               "Saves the rays in space; in an SVG they are vectors.", rayviewScreenshot},
     GuiCommand{"theme", "name=dark|light", "Chooses the theme.", theme},
     GuiCommand{"presenter", "on=on|off", "Large text for the back row.", presenter},
     GuiCommand{"panels", "on=on|off", "Shows or hides the panels.", panels},

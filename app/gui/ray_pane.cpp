@@ -4,10 +4,12 @@
 
 #include <algorithm>
 
-#include "app/gl/imgui_renderer.h"
+#include "app/document/picture_file.h"
 #include "app/gui/sketch_view.h"
 #include "app/gui/theme.h"
 #include "core/base/errors.h"
+#include "core/image/atomic_file.h"
+#include "core/image/encode.h"
 #include "core/study/palette.h"
 #include "core/study/wording.h"
 
@@ -16,7 +18,10 @@ namespace {
 
 constexpr double kOrbitSpeed = 0.4; // degrees per pixel
 constexpr double kWheelStep = 0.9;
-constexpr float kClickSlop = 4;          // pixels: a press that moves less is a click
+constexpr float kClickSlop = 4;     // pixels: a press that moves less is a click
+constexpr float kLeastPane = 8;     // pixels; smaller ones show nothing
+constexpr float kPlainHeight = 600; // pixels; letters and lines of higher files grow with them
+constexpr double kLeastFileHeight = 900;
 constexpr float kNearArrow = 8;          // pixels at scale 1: a click hits an arrow so near
 constexpr std::size_t kMostPixels = 200; // whose rays are shown at once
 constexpr std::size_t kMostRays = 1000;  // beyond it nobody sees anything
@@ -31,7 +36,7 @@ Ink ink(std::uint32_t rgb) {
 }
 Ink ink(const ImVec4& c) { return {c.x, c.y, c.z, c.w}; }
 
-RayStyle rayStyle(bool dark, float scale) {
+RayStyle rayStyle(bool dark, float scale, float letter) {
     RayStyle style;
     for (int i = 0; i < kRayKinds; ++i)
         style.kinds[static_cast<std::size_t>(i)] = ink(colorOfKind(static_cast<RayKind>(i), dark));
@@ -41,13 +46,24 @@ RayStyle rayStyle(bool dark, float scale) {
     style.text = ink(groundOf(dark).text);
     style.ground = ink(groundOf(dark).paper);
     style.scale = scale;
-    style.letter = ImGui::GetFontSize();
+    style.letter = letter;
     return style;
 }
 
 Backdrop backdropOf(bool dark) {
     return dark ? Backdrop{Color(ink(0x3c4454)), Color(ink(0x1b1e25)), 0.6F}
                 : Backdrop{Color(ink(0xdfe6f0)), Color(ink(0xf7f8fa)), 0.86F};
+}
+
+/// As the pane, but fine enough for a projector.
+PictureSize sizeForFile(PictureSize pane) {
+    const double larger = std::max(1.0, kLeastFileHeight / pane.height);
+    return {static_cast<int>(std::lround(larger * pane.width)),
+            static_cast<int>(std::lround(larger * pane.height))};
+}
+
+bool drawable(const Widgets& ui, const PictureView& picture) {
+    return ui.viewer.hasScene() && ui.viewer.world() && !picture.shown().empty();
 }
 
 /// Every `step`-th pixel of a line of `count`, so that `through` is one of them.
@@ -141,32 +157,56 @@ void RayPane::execute(const Command& command) {
 }
 
 void RayPane::draw(const Widgets& ui, const PictureView& picture) {
-    if (!ui.viewer.hasScene() || !ui.viewer.world() || picture.shown().empty()) return;
+    if (!drawable(ui, picture)) return;
     if (scene_ != ui.viewer.opened().reference) {
         scene_ = ui.viewer.opened().reference;
         view_.outside().go(OutsideStand::Frame);
     }
     toolbar(ui);
     const ImVec2 available = ImGui::GetContentRegionAvail(), corner = ImGui::GetCursorScreenPos();
-    const ImVec2 size{std::floor(available.x), std::floor(available.y)};
-    if (size.x < 8 || size.y < 8) return;
-    traceMany(ui);
-    const RayStyle style = rayStyle(ui.dark, ui.scale);
-    view_.draw(content(ui, picture), static_cast<int>(size.x), static_cast<int>(size.y), style,
-               backdropOf(ui.dark));
-    const ImVec2 opposite{corner.x + size.x, corner.y + size.y};
-    ImDrawList& list = *ImGui::GetWindowDrawList();
-    list.AddImage(textureId(view_.picture()), corner, opposite, {0, 1}, {1, 0});
-    list.PushClipRect(corner, opposite, true);
-    Sketch sketch = view_.sketch();
-    caption(ui, sketch, style, size);
-    drawSketch(list, sketch, corner, size, style.ground);
-    list.PopClipRect();
-    ImGui::InvisibleButton("rays in space", size,
+    if (available.x < kLeastPane || available.y < kLeastPane) return;
+    size_ = {static_cast<int>(available.x), static_cast<int>(available.y)};
+    const Vec2 size(size_.width, size_.height);
+    const RayStyle style = rayStyle(ui.dark, ui.scale, ImGui::GetFontSize());
+    const Sketch sketch = compose(ui, picture, size_, style);
+    eyeray::draw(*ImGui::GetWindowDrawList(), {sketch, size, style.letter, style.ground}, view_.picture(),
+                 corner);
+    ImGui::InvisibleButton("rays in space", {size.x, size.y},
                            ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonRight |
                                ImGuiButtonFlags_MouseButtonMiddle);
     ui.mark("rays in space");
     mouse(ui, corner);
+}
+
+void RayPane::save(const Widgets& ui, const PictureView& picture, const std::filesystem::path& file,
+                   std::optional<PictureSize> wanted) {
+    if (!drawable(ui, picture)) throw InputError(file.string(), "there is no picture yet", "wait a moment");
+    const PictureSize size = wanted.value_or(sizeForFile(size_));
+    const float larger = std::max(1.0F, static_cast<float>(size.height) / kPlainHeight);
+    const RayStyle style = rayStyle(ui.dark, larger * ui.scale, larger * ImGui::GetFontSize());
+    const Sketch sketch = compose(ui, picture, size, style);
+    const SketchedPicture sketched{sketch, Vec2(size.width, size.height), style.letter, style.ground};
+    if (file.extension() == ".svg") {
+        const std::string text = svgOf(sketched, view_.readPicture());
+        writeFileAtomically(file, std::as_bytes(std::span(text)));
+    } else if (formatOf(file) == ImageFormat::Png) {
+        const Metadata metadata = toMetadata(ui.viewer.pictureState(), file.parent_path());
+        writeFileAtomically(
+            file, encodeDisplayed(imageOf(gl_, sketched, view_.picture()), ImageFormat::Png, metadata));
+    } else {
+        throw InputError(file.string(), "rays in space are saved as PNG or SVG",
+                         "end the name in one of them");
+    }
+}
+
+/// Draws the view and gives what is to be laid over it.
+Sketch RayPane::compose(const Widgets& ui, const PictureView& picture, PictureSize size,
+                        const RayStyle& style) {
+    traceMany(ui);
+    view_.draw(content(ui, picture), size.width, size.height, style, backdropOf(ui.dark));
+    Sketch sketch = view_.sketch();
+    caption(ui, sketch, style, size);
+    return sketch;
 }
 
 void RayPane::toolbar(const Widgets& ui) const {
@@ -292,7 +332,7 @@ void RayPane::rayTooltip(const Widgets& ui, int arrow) const {
 }
 
 /// What is to be done, or which rays are shown, and a legend: before all other lettering.
-void RayPane::caption(const Widgets& ui, Sketch& sketch, const RayStyle& style, ImVec2 size) const {
+void RayPane::caption(const Widgets& ui, Sketch& sketch, const RayStyle& style, PictureSize size) const {
     const float margin = 0.7F * style.letter;
     const std::vector<SketchLabel> others = std::exchange(sketch.labels, {});
     const auto say = [&](const std::string& text) {
@@ -302,8 +342,9 @@ void RayPane::caption(const Widgets& ui, Sketch& sketch, const RayStyle& style, 
         say("click a pixel of the picture to see its rays");
     else if (show_ != ShownRays::Pixel && many_.size() < wanted_)
         say(fmt::format("{} of {} pixels: no more than {} rays are drawn", many_.size(), wanted_, kMostRays));
-    if (size.y > kLegendHeight * style.letter)
-        drawLegend(sketch, view_.arrows(), style, {margin, size.y - margin});
+    const auto height = static_cast<float>(size.height);
+    if (height > kLegendHeight * style.letter)
+        drawLegend(sketch, view_.arrows(), style, {margin, height - margin});
     sketch.labels.insert(sketch.labels.end(), others.begin(), others.end());
 }
 

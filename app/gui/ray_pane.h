@@ -2,6 +2,7 @@
 // The pane that shows the scene with the picked pixel's rays from outside.
 
 #include <array>
+#include <filesystem>
 #include <optional>
 
 #include "app/gui/picture_view.h"
@@ -17,10 +18,14 @@ inline constexpr std::array<std::string_view, 4> kShownRaysNames = {"pixel", "ro
 
 class RayPane {
 public:
-    explicit RayPane(const Gl& gl) : view_(gl) {}
+    explicit RayPane(const Gl& gl) : gl_(gl), view_(gl) {}
 
     /// Fills what is left of the current ImGui window.
     void draw(const Widgets&, const PictureView&);
+
+    /// Writes what the pane shows, whether it is seen or not, in its size or in another: a PNG, or an SVG
+    /// with the rays as vectors, by the ending of the name. Throws InputError, Failure.
+    void save(const Widgets&, const PictureView&, const std::filesystem::path&, std::optional<PictureSize>);
 
     /// Carries out `rayview …`; throws InputError for an argument it does not know.
     void execute(const Command&);
@@ -40,13 +45,15 @@ private:
         friend bool operator==(const TracedFor&, const TracedFor&) = default;
     };
 
+    Sketch compose(const Widgets&, const PictureView&, PictureSize, const RayStyle&);
     void toolbar(const Widgets&) const;
     void traceMany(const Widgets&);
     RayViewContent content(const Widgets&, const PictureView&);
     void mouse(const Widgets&, ImVec2 corner);
     void rayTooltip(const Widgets&, int arrow) const;
-    void caption(const Widgets&, Sketch&, const RayStyle&, ImVec2 size) const;
+    void caption(const Widgets&, Sketch&, const RayStyle&, PictureSize) const;
 
+    const Gl& gl_;
     RayView view_;
     ShownRays show_ = ShownRays::Pixel;
     int step_ = 0; // pixels; 0: chosen so that the rays stay apart
@@ -56,6 +63,7 @@ private:
     std::vector<Retrace> many_;
     std::size_t wanted_ = 0; // pixels, of which many_ has as many as fit under the cap
     std::optional<TracedFor> tracedFor_;
+    PictureSize size_{960, 720}; // as last seen
     bool dragging_ = false;
 };
 

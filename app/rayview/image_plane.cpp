@@ -7,7 +7,7 @@
 namespace eyeray {
 namespace {
 
-constexpr double kNearestShare = 0.36, kFarthestShare = 0.6; // of the way to the nearest thing
+constexpr double kNearestShare = 0.4, kFarthestShare = 0.6; // of the way to the nearest thing
 
 constexpr const char* kVertexShader = R"(#version 330 core
 uniform vec4 corners[4];

@@ -6,8 +6,8 @@ namespace eyeray {
 namespace {
 
 constexpr double kFov = radians(36);
-constexpr double kBeyond = 0.3;  // seen behind the picture's target, in its distances from the eye
-constexpr double kMargin = 0.76; // radius of what is seen, likewise
+constexpr double kBeyond = 0.3; // seen behind the picture's target, in its distances from the eye
+constexpr double kMargin = 0.76, kFrameMargin = 0.72; // radius of what is seen, likewise
 
 /// Direction from what is looked at to the stand, in axes of the picture's camera.
 DVec3 directionOf(OutsideStand stand) {
@@ -48,7 +48,8 @@ void OutsideView::update(const Camera& picture, double aspect) {
         glm::normalize(direction.x * right + DVec3(0, direction.y, 0) + direction.z * backward);
     camera_.target = 0.5 * (picture.eye + picture.target) - 0.5 * kBeyond * distance * axes.backward;
     const double narrow = std::tan(kFov / 2) * std::min(1.0, aspect);
-    camera_.eye = camera_.target + kMargin * distance / narrow * towards;
+    const double radius = (stand_ == OutsideStand::Frame ? kFrameMargin : kMargin) * distance;
+    camera_.eye = camera_.target + radius / narrow * towards;
     if (stand_ == OutsideStand::Top) camera_.up = -backward;
 }
 

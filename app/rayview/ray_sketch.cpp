@@ -228,7 +228,7 @@ void drawEye(Sketch& sketch, const DepthView& view, const ImagePlane& plane, con
     if (!labels) return;
     const auto middle = projection.point(0.5 * (plane.corners[0] + plane.corners[2]));
     const auto a = projection.point(plane.corners[0]), b = projection.point(plane.corners[2]);
-    if (!middle || !a || !b || glm::length(a->at - b->at) < 6 * style.letter) return;
+    if (!middle || !a || !b || glm::length(a->at - b->at) < 5 * style.letter) return;
     for (int i = 0; i < 4; ++i) {
         const auto corner = projection.point(plane.corners[static_cast<std::size_t>(i)]);
         if (!corner) continue;

@@ -4,6 +4,8 @@
 
 #include <array>
 
+#include "core/scene/base64.h"
+
 namespace eyeray {
 namespace {
 
@@ -24,9 +26,16 @@ std::string escaped(std::string_view text) {
 
 std::string attributes(const Svg::Stroke& stroke) {
     std::string result = fmt::format(R"(stroke="#{:06x}" stroke-width="{:.4g}")", stroke.color, stroke.width);
+    if (stroke.opacity < 1) result += fmt::format(R"( stroke-opacity="{:.3g}")", stroke.opacity);
     for (std::size_t i = 0; i < stroke.dashes.size(); ++i)
         result += fmt::format("{}{:.4g}", i == 0 ? " stroke-dasharray=\"" : " ", stroke.dashes[i]);
     return stroke.dashes.empty() ? result : result + "\" stroke-linecap=\"round\"";
+}
+
+std::string pointList(std::span<const Vec2> points) {
+    std::string result = "points=\"";
+    for (const Vec2& point : points) result += fmt::format("{:.2f},{:.2f} ", point.x, point.y);
+    return result + "\"";
 }
 
 std::string rectangle(Vec2 corner, Vec2 size, float radius, std::uint32_t fill) {
@@ -54,9 +63,19 @@ void Svg::box(Vec2 corner, Vec2 size, float radius, std::uint32_t fill, const St
 }
 
 void Svg::line(std::span<const Vec2> points, const Stroke& stroke) {
-    body_ += "<polyline points=\"";
-    for (const Vec2& point : points) body_ += fmt::format("{:.2f},{:.2f} ", point.x, point.y);
-    body_ += fmt::format("\" fill=\"none\" {}/>\n", attributes(stroke));
+    body_ += fmt::format("<polyline {} fill=\"none\" {}/>\n", pointList(points), attributes(stroke));
+}
+
+void Svg::polygon(std::span<const Vec2> points, std::uint32_t fill, float opacity) {
+    body_ += fmt::format("<polygon {} fill=\"#{:06x}\" fill-opacity=\"{:.3g}\"/>\n", pointList(points), fill,
+                         opacity);
+}
+
+void Svg::image(Vec2 corner, Vec2 size, std::span<const std::byte> png) {
+    body_ += fmt::format(R"(<image x="{:.2f}" y="{:.2f}" width="{:.2f}" height="{:.2f}" )"
+                         R"(href="data:image/png;base64,{}"/>)"
+                         "\n",
+                         corner.x, corner.y, size.x, size.y, encodeBase64(png));
 }
 
 void Svg::curve(std::span<const Vec2, 4> p, const Stroke& stroke) {

@@ -2,6 +2,7 @@
 // Scalable Vector Graphics 1.1, as much as diagrams and charts need. Lengths are in the picture's own unit, y
 // down.
 
+#include <cstddef>
 #include <cstdint>
 #include <span>
 #include <string>
@@ -18,6 +19,7 @@ public:
         std::uint32_t color = 0;
         float width = 1;
         std::span<const float> dashes = {}; // lengths of dash, gap, …
+        float opacity = 1;
     };
     enum class Anchor : std::uint8_t { Start, Middle, End };
     struct Font {
@@ -32,6 +34,9 @@ public:
     void box(Vec2 corner, Vec2 size, float radius, std::uint32_t fill);
     void box(Vec2 corner, Vec2 size, float radius, std::uint32_t fill, const Stroke&);
     void line(std::span<const Vec2> points, const Stroke&);
+    void polygon(std::span<const Vec2> points, std::uint32_t fill, float opacity);
+    /// A PNG, drawn over this rectangle.
+    void image(Vec2 corner, Vec2 size, std::span<const std::byte> png);
     /// Cubic Bézier curve through four control points.
     void curve(std::span<const Vec2, 4> points, const Stroke&);
     /// `at` is on the base line. Any text; what XML reserves is escaped.
