@@ -106,7 +106,7 @@ TEST(Explain, ASwitchHidesAKindOfRayFromTheTreeButNotFromThePicture) {
 TEST(Explain, AStruckTermChangesThePixelAtOnceAndComesBack) {
     Explained screen;
     screen.openTab("Sum");
-    EXPECT_EQ(screen.gui.widgets().count("ledger struck"), 0U);
+    EXPECT_EQ(screen.gui.widgets().count("strike"), 0U) << "nothing to bring back";
     const Color film = screen.viewer.picked()->trace.radiance;
     EXPECT_EQ(evaluate(screen.study().ledger()), film);
     const int mirrored = screen.nodeOf(Term::Sent);
@@ -115,6 +115,7 @@ TEST(Explain, AStruckTermChangesThePixelAtOnceAndComesBack) {
     const Color without = evaluate(screen.study().ledger(), screen.study().strikes());
     EXPECT_LT(luminance(without), luminance(film));
     screen.settle();
+    EXPECT_EQ(screen.gui.widgets().count("ledger total"), 1U);
     EXPECT_EQ(screen.gui.widgets().count("ledger struck"), 1U) << "before and after stand side by side";
     screen.click("strike");
     EXPECT_TRUE(screen.study().strikes().empty());
@@ -132,6 +133,35 @@ TEST(Explain, AStruckReflectionIsThePixelWithoutReflectionRays) {
     screen.settle();
     EXPECT_EQ(screen.viewer.picked()->trace.radiance, without);
     EXPECT_TRUE(screen.study().strikes().empty()) << "the sum is another one now";
+}
+
+TEST(Explain, WhatIsStruckOutCanBeTakenOutOfTheWholePictureInOneStepOfUndo) {
+    Explained screen;
+    screen.openTab("Sum");
+    screen.click(fmt::format("strike {}", screen.nodeOf(Term::Sent)));
+    screen.click(fmt::format("strike {}", screen.nodeOf(Term::Lamp)));
+    screen.click(fmt::format("strike {}", screen.nodeOf(Term::Ambient)));
+    const Color without = evaluate(screen.study().ledger(), screen.study().strikes());
+    screen.settle();
+    screen.click("strike-picture");
+    screen.settle();
+    EXPECT_FALSE(screen.document().render.trace.reflections);
+    EXPECT_EQ(screen.document().scene->ambient, Color(0));
+    EXPECT_EQ(screen.viewer.picked()->trace.radiance, without);
+    screen.press("Ctrl+Z");
+    EXPECT_TRUE(screen.document().render.trace.reflections);
+    EXPECT_FALSE(screen.viewer.canUndo());
+    EXPECT_FALSE(screen.gui.execute(Command::parse("strike-picture"))) << "nothing is struck out now";
+}
+
+TEST(Explain, TabsAreShownByACommandToo) {
+    Explained screen;
+    screen.say("tab name=sum");
+    screen.settle();
+    EXPECT_EQ(screen.gui.widgets().count("ledger total"), 1U);
+    screen.say("tab name=tree");
+    screen.settle();
+    EXPECT_EQ(screen.gui.widgets().count("ray 0"), 1U);
 }
 
 TEST(Explain, AClickOnATermSelectsItsRay) {
@@ -189,12 +219,12 @@ TEST(Explain, WrongCommandsAreRefusedWithOneLineEach) {
     std::size_t refused = 0;
     for (const char* command :
          {"strike term=1000000", "strike term=-1", "tree kind=laser", "tree show=pie", "tree least-weight=2",
-          "collapse", "collapse ray=x", "notation", "notation name=c"}) {
+          "collapse", "collapse ray=x", "notation", "tab name=pie", "notation name=c"}) {
         while (!screen.viewer.notices().empty()) screen.viewer.dismissNotice(0);
         EXPECT_FALSE(screen.gui.execute(Command::parse(command))) << command;
         refused += screen.errors();
     }
-    EXPECT_EQ(refused, 9U);
+    EXPECT_EQ(refused, 10U);
     screen.press("Escape");
     EXPECT_FALSE(screen.gui.execute(Command::parse("strike term=0"))) << "nothing is picked";
 }

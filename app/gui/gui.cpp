@@ -136,19 +136,21 @@ void Gui::middle(const Widgets& ui, ImVec2 at, ImVec2 size) {
 }
 
 /// The picked pixel in words and numbers.
-void Gui::explainingTabs(const Widgets& ui) const {
+void Gui::explainingTabs(const Widgets& ui) {
     if (!viewer_.hasScene() || !ImGui::BeginTabBar("explain")) return;
     struct Tab {
         const char* label;
         void (*draw)(const Widgets&);
     };
     for (const Tab& tab : {Tab{"Tree", treeView}, Tab{"Sum", ledgerView}}) {
-        const bool open = ImGui::BeginTabItem(tab.label);
+        const bool wanted = wantedTab_ == tab.label;
+        const bool open = ImGui::BeginTabItem(tab.label, nullptr, wanted ? ImGuiTabItemFlags_SetSelected : 0);
         ui.mark(fmt::format("tab {}", tab.label));
         if (!open) continue;
         tab.draw(ui);
         ImGui::EndTabItem();
     }
+    wantedTab_ = {};
     ImGui::EndTabBar();
 }
 

@@ -52,6 +52,8 @@ public:
     void setPresenter(bool);
     void setPanels(bool shown) { preferences_.panels = shown; }
     void setExplain(bool on) { preferences_.explain = on; }
+    /// Brings the tab of this label to the front, with the next frame.
+    void showTab(std::string_view label) { wantedTab_ = label; }
     void setRasterised(bool on) { picture_.setRasterised(on); }
     bool rasterised() const { return picture_.rasterised(); }
     RayPane& rayPane() { return rayPane_; }
@@ -68,7 +70,7 @@ private:
     void menuBar(const Widgets&);
     void recentMenu(const Widgets&);
     void middle(const Widgets&, ImVec2 at, ImVec2 size);
-    void explainingTabs(const Widgets&) const;
+    void explainingTabs(const Widgets&);
     void panels(const Widgets&);
     void writeRays(const Widgets&);
     void dialog(const Widgets&);
@@ -82,6 +84,7 @@ private:
     FileDialog files_;
     std::map<std::string, WidgetRect> widgets_;
     Dialog dialog_ = Dialog::None;
+    std::string_view wantedTab_;
     bool fly_ = false, quit_ = false, animating_ = true;
     struct RaysFile {
         std::filesystem::path file;

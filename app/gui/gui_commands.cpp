@@ -38,6 +38,14 @@ void presenter(Gui& gui, const Command& command) {
     gui.setPresenter(wanted(command, gui.preferences().presenter));
 }
 void panels(Gui& gui, const Command& command) { gui.setPanels(wanted(command, gui.preferences().panels)); }
+void tab(Gui& gui, const Command& command) {
+    constexpr std::array kNames = {"tree"sv, "sum"sv};
+    constexpr std::array kLabels = {"Tree"sv, "Sum"sv};
+    command.allowOnly({"name"});
+    command.required("name");
+    gui.showTab(kLabels[static_cast<std::size_t>(*command.choice("name", kNames))]);
+}
+
 void explain(Gui& gui, const Command& command) { gui.setExplain(wanted(command, gui.preferences().explain)); }
 void rasterised(Gui& gui, const Command& command) { gui.setRasterised(wanted(command, gui.rasterised())); }
 void rayview(Gui& gui, const Command& command) { gui.rayPane().execute(command); }
@@ -124,6 +132,7 @@ constexpr std::array kCommands = {
                "Moves the outside camera; chooses whose rays are drawn.", rayview},
     GuiCommand{"rasterised", "on=on|off",
                "Shows what OpenGL draws of the scene: no shadows, mirrors or glass.", rasterised},
+    GuiCommand{"tab", "name=tree|sum", "Shows the picked pixel's tree or its sum.", tab},
     GuiCommand{"fullscreen", "on=on|off", "Fills the screen.", fullscreen},
     GuiCommand{"fly", "on=on|off", "W A S D Q E move the eye.", fly},
     GuiCommand{"deselect", "", "Selects no object and no pixel.", deselect},

@@ -57,12 +57,18 @@ private:
         const bool same = sum == ui_.viewer.picked()->trace.radiance;
         result(sample, sum, same, same ? "the sum is the film's value, bit for bit" : "not the film's value",
                "ledger total");
-        if (!study_.strikes().empty()) {
-            result("with what is struck out", evaluate(study_.ledger(), study_.strikes()), true, {},
-                   "ledger struck");
-            ImGui::TableSetColumnIndex(wide_ ? 1 : 0);
-            ui_.button("Bring all back", "strike", "undoes what was struck out");
-        }
+        // always there, so that nothing moves under the pointer that strikes out
+        const bool whole = study_.strikes().empty();
+        result("with what is struck out", evaluate(study_.ledger(), study_.strikes()), true,
+               whole ? "untick a term: what if it were not there?" : "", "ledger struck");
+        if (whole) return;
+        ImGui::TableSetColumnIndex(wide_ ? 1 : 0);
+        ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {ImGui::GetStyle().FramePadding.x, 0});
+        ImGui::PushStyleVar(ImGuiStyleVar_FrameBorderSize, 1);
+        ui_.button("Bring all back", "strike", "undoes what was struck out");
+        flow(10 * ImGui::GetFontSize());
+        ui_.button("In the whole picture", "strike-picture", "takes it out of every pixel; Ctrl+Z undoes it");
+        ImGui::PopStyleVar(2);
     }
 
     void mean() {

@@ -184,6 +184,15 @@ private:
     std::vector<bool> hasChildren_, onPath_;
 };
 
+/// Size of its letters against the window's, where the diagram would fill the width and the height with
+/// letters of these sizes: what has to be scrolled at any size is shown large enough to be read.
+float fittedScale(float byWidth, float byHeight) {
+    const float widthScale = byWidth / ImGui::GetFontSize(), heightScale = byHeight / ImGui::GetFontSize();
+    const float whole = std::min(widthScale, heightScale);
+    if (whole >= kSmallest) return std::min(whole, kLargest);
+    return std::clamp(heightScale, kSmallest, 1.0F);
+}
+
 /// Brings the selected node into sight when another one has been selected.
 void follow(const Widgets& ui, const Canvas& canvas, float letter) {
     int* const last = ImGui::GetStateStorage()->GetIntRef(ImGui::GetID("followed"), 0);
@@ -216,9 +225,7 @@ void treeDiagram(const Widgets& ui) {
     const TreeDiagram& diagram = ui.viewer.study().diagram();
     const ImVec2 room = ImGui::GetContentRegionAvail();
     const float wide = diagram.width + 2 * kMargin + 2, high = diagram.height + 2 * kMargin;
-    const float usual = ImGui::GetFontSize();
-    const float letter =
-        std::clamp(std::min(room.x / wide, room.y / high), kSmallest * usual, kLargest * usual);
+    const float letter = ImGui::GetFontSize() * fittedScale(room.x / wide, room.y / high);
     Canvas canvas(ui, letter);
     ImGui::InvisibleButton("canvas", {std::max(wide * letter, room.x), std::max(high * letter, room.y)});
     canvas.draw();

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "app/viewer/strike_picture.h"
 #include "app/viewer/viewer.h"
 #include "core/base/errors.h"
 
@@ -56,6 +57,16 @@ void strike(Viewer& viewer, const Command& command) {
     const auto term = command.integer("term", 0, kMostTerms);
     if (!term) return viewer.restoreStruck();
     viewer.strike(*term, command.flag("on").value_or(!viewer.study().isStruck(*term)));
+}
+
+void strikePicture(Viewer& viewer, const Command& command) {
+    command.allowOnly({});
+    needPicked(viewer, command);
+    const auto commands = strikesEverywhere(viewer.study(), viewer.picked()->trace, *viewer.document().scene);
+    if (commands.empty())
+        throw InputError(command.text(), "nothing is struck out", "strike a term out first: strike term=N");
+    for (const Command& change : commands) viewer.execute(change, "strike-picture");
+    viewer.endGesture();
 }
 
 void notation(Viewer& viewer, const Command& command) {

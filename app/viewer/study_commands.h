@@ -10,6 +10,7 @@ class Viewer;
 void tree(Viewer&, const Command&);
 void collapse(Viewer&, const Command&);
 void strike(Viewer&, const Command&);
+void strikePicture(Viewer&, const Command&);
 void notation(Viewer&, const Command&);
 
 }

@@ -129,6 +129,8 @@ constexpr std::array kCommands = {
     ViewerCommand{"strike", "term=N on=on|off",
                   "Strikes a term of the pixel's sum out, or back in; without a term, brings all back.",
                   strike},
+    ViewerCommand{"strike-picture", "",
+                  "Takes what is struck out of the pixel's sum out of the whole picture.", strikePicture},
     ViewerCommand{"notation", "name=a|b|glm", "Whose letters the pixel's sum is written in.", notation},
     ViewerCommand{"wait", "samples=N", "Waits for so many samples, or until the picture is finished.", wait},
 };
