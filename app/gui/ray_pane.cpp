@@ -274,6 +274,7 @@ RayViewContent RayPane::content(const Widgets& ui, const PictureView& picture) {
                            .pixel = {},
                            .samples = {},
                            .selectedRay = -1,
+                           .hurried = ImGui::IsAnyMouseDown(),
                            .labels = labels_};
     if (const auto& picked = viewer.picked()) {
         content.pixel = DVec2(picked->pixel.x, picked->pixel.y);

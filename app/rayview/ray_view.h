@@ -20,6 +20,7 @@ struct RayViewContent {
     std::optional<DVec2> pixel;               // picked
     std::vector<const SampleRecord*> samples; // those whose rays are shown, the picked one first
     int selectedRay = 0;                      // of the first sample
+    bool hurried = false;                     // something is being dragged: rather soon than smooth
     bool labels = true;                       // names, coordinates, vectors and angles
 };
 
@@ -54,6 +55,7 @@ private:
     OutsideView outside_;
 
     std::optional<RenderTarget> scene_; // without plane
+    int samplesPerPixel_ = 0;           // of its own
     std::optional<Framebuffer> shown_;
     Pixels<float> depth_;
     std::optional<Projection> projection_;

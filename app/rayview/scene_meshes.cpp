@@ -1,6 +1,7 @@
 #include "app/rayview/scene_meshes.h"
 
 #include <algorithm>
+#include <numeric>
 
 namespace eyeray {
 namespace {
@@ -23,13 +24,29 @@ const T& at(const std::vector<T>& values, int id) {
     return values[static_cast<std::size_t>(id)];
 }
 
-/// Segments around each round shape, so that all together stay drawable.
-int segmentsFor(const Scene& scene) {
-    const auto shapes = std::count_if(scene.objects.begin(), scene.objects.end(), [](const Object& object) {
-        return std::holds_alternative<ShapeId>(object.geometry);
-    });
-    const double each = kTriangles / std::max<double>(1, static_cast<double>(shapes));
-    return std::clamp(static_cast<int>(std::sqrt(each)) / 2 * 2, kCoarsest, kFinest);
+/// Radius of an object in the scene, about; 0 for an unbounded one.
+double radiusOf(const Scene& scene, const Object& object) {
+    const auto* shape = std::get_if<ShapeId>(&object.geometry);
+    if (shape == nullptr) return 0;
+    const Bounds box = boundsOf(at(scene.shapes, shape->index));
+    if (!box.finite()) return 0;
+    const double scale = std::cbrt(std::fabs(glm::determinant(DMat3(object.transform))));
+    return 0.5 * scale * static_cast<double>(glm::length(box.extent()));
+}
+
+/// Segments around each object's shape: larger ones have more, and all together stay drawable.
+std::vector<int> segmentsOf(const Scene& scene) {
+    std::vector<double> radii;
+    for (const Object& object : scene.objects) radii.push_back(radiusOf(scene, object));
+    const double sum = std::accumulate(radii.begin(), radii.end(), 0.0);
+    std::vector<int> segments;
+    for (const double radius : radii) {
+        const double wanted = std::sqrt(kTriangles * radius / std::max(sum, 1e-30));
+        int taken = kCoarsest; // few different ones, so that objects share their triangles
+        while (2 * taken <= std::min<double>(wanted, kFinest)) taken *= 2;
+        segments.push_back(taken);
+    }
+    return segments;
 }
 
 /// Balls of every size share the unit ball.
@@ -74,9 +91,9 @@ void SceneMeshes::update(const std::shared_ptr<const World>& world) {
     for (const Image& image : scene.images)
         if (const auto old = oldImages.find(image.pixels); old != oldImages.end()) images_.insert(*old);
 
-    const int segments = segmentsFor(scene);
+    const std::vector<int> segments = segmentsOf(scene);
     for (std::size_t i = 0; i < scene.objects.size(); ++i)
-        addObject(scene.objects[i], static_cast<int>(i), segments);
+        addObject(scene.objects[i], static_cast<int>(i), segments[i]);
     for (const Light& light : scene.lights) addLamp(light);
 }
 
