@@ -96,7 +96,7 @@ TEST(ImageFormat, RadianceIsHeldByTheFormatsOfFloats) {
 
 TEST(EncodePng, KeepsEveryByteAndLeavesAlphaOutWhereAllIsOpaque) {
     for (const bool opaque : {true, false})
-        for (const auto& [width, height] : {PictureSize{1, 1}, PictureSize{37, 23}, PictureSize{16384, 1}}) {
+        for (const auto& [width, height] : {StatedSize{1, 1}, StatedSize{37, 23}, StatedSize{16384, 1}}) {
             const ByteImage image = randomBytes(width, height, opaque);
             std::uint32_t format = 0;
             EXPECT_EQ(readPng(encodeDisplayed(image, ImageFormat::Png, {}), &format), image);
@@ -128,7 +128,7 @@ TEST(EncodePfm, KeepsEveryBit) {
 
 TEST(EncodeExr, KeepsEveryBitAtAnySize) {
     for (const auto& [width, height] :
-         {PictureSize{1, 1}, PictureSize{37, 23}, PictureSize{16384, 1}, PictureSize{1, 16384}}) {
+         {StatedSize{1, 1}, StatedSize{37, 23}, StatedSize{16384, 1}, StatedSize{1, 16384}}) {
         const ColorImage image = randomColors(width, height);
         EXPECT_TRUE(sameBits(readExr(encodeRadiance(image, ImageFormat::Exr, {})).image, image));
     }

@@ -45,12 +45,12 @@ private:
     std::span<const std::byte> rest_;
 };
 
-struct PictureSize {
+struct StatedSize {
     int width, height;
 };
 
-inline PictureSize sizeIn(const std::string& line, const char* pattern) {
-    PictureSize size{};
+inline StatedSize sizeIn(const std::string& line, const char* pattern) {
+    StatedSize size{};
     if (std::sscanf(line.c_str(), pattern, &size.width, &size.height) != 2)
         throw std::runtime_error("no size");
     return size;
@@ -102,7 +102,7 @@ inline ColorImage readHdr(std::span<const std::byte> bytes) {
     while (!reader.line().empty()) {
     }
     const std::string resolution = reader.line();
-    PictureSize size{};
+    StatedSize size{};
     if (std::sscanf(resolution.c_str(), "-Y %d +X %d", &size.height, &size.width) != 2)
         throw std::runtime_error("no size");
     const bool withRuns = size.width >= 8 && size.width <= 32767;

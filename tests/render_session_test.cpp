@@ -92,6 +92,34 @@ ColorImage meanOfPasses(const Scene& scene, const RenderSettings& settings, int 
     return mean;
 }
 
+TEST(RenderSession, HeldAtANumberOfSamplesItWaitsThereAndGoesOn) {
+    const auto world = worldOf(balls());
+    RenderSession session(2);
+    session.holdAt(2);
+    for (int picture = 0; picture < 2; ++picture) {
+        session.start(world, world->scene->cameras.front(), settingsFor(6));
+        while (session.status().samples < 2) session.wait(1ms);
+        session.wait(50ms);
+        EXPECT_EQ(session.status().samples, 2);
+        EXPECT_EQ(session.status().phase, Phase::Refining) << "held, but not by a person";
+    }
+    session.holdAt(4);
+    while (session.status().samples < 4) session.wait(1ms);
+    session.holdAt(0);
+    while (session.wait(100ms).active()) {
+    }
+    EXPECT_EQ(session.status().samples, 6);
+    RenderSession free(1);
+    free.start(world, world->scene->cameras.front(), settingsFor(6));
+    while (free.wait(100ms).active()) {
+    }
+    EXPECT_EQ(session.image(), free.image());
+    session.holdAt(1);
+    session.start(world, world->scene->cameras.front(), settingsFor(6));
+    while (session.status().samples < 1) session.wait(1ms);
+    session.stop(); // must not wait for the hold
+}
+
 TEST(RenderSession, GivesTheSameBitsOnAnyNumberOfThreads) {
     const ColorImage one = rendered(balls(), settingsFor(4), 1);
     EXPECT_EQ(one, rendered(balls(), settingsFor(4), 2));

@@ -19,14 +19,18 @@ struct PixelPosition {
     friend bool operator==(const PixelPosition&, const PixelPosition&) = default;
 };
 
-/// The picture beside the same one under other settings.
+/// The picture beside the same one under other settings, or beside what OpenGL draws.
 struct Comparison {
+    static constexpr const char* kRasterised = "rasterised";
+
     bool on = false;
-    std::string with = "max-depth=1"; // settings of the other side, as `set` takes them
+    std::string with = "max-depth=1"; // settings of the other side, as `set` takes them; or kRasterised
     double split = 0.5;               // share of the width, from the left, that shows the other side
     bool difference = false;          // in place of both sides: gain · |this − other|
-    double gain = 8;
+    double gain = 1;
 
+    bool isRasterised() const { return with == kRasterised; }
+    bool showsDifference() const { return difference && !isRasterised(); }
     friend bool operator==(const Comparison&, const Comparison&) = default;
 };
 
@@ -54,8 +58,8 @@ Document apply(const Document&, const Command&);
 /// The layer that the document shows; the picture itself if the scene has lost the lamp it is of.
 Layer shownLayer(const Document&);
 
-/// The document under the settings that it is compared with. Throws InputError if they are none, or such as
-/// need another index or picture size.
+/// The document under the settings that it is compared with; the same if that is kRasterised. Throws
+/// InputError if they are none, or such as need another index or picture size.
 Document otherSide(const Document&);
 
 /// The commands that bring `from` to `to`, for the same scene file: apply(from, each) gives a document that

@@ -49,7 +49,7 @@ void compare(Document& document, const Command& command) {
 
 constexpr std::array kCommands = {
     DocumentCommand{"layer", "name=NAME by=±N", "Shows a layer of the picture, or the next one.", layer},
-    DocumentCommand{"compare", "with=\"key=value …\" split=0…1 difference=on|off gain=G on=on|off",
+    DocumentCommand{"compare", "with=\"key=value …\"|rasterised split=0…1 difference=on|off gain=G on=on|off",
                     "Compares with the picture under other settings.", compare},
 };
 
@@ -63,6 +63,7 @@ Layer shownLayer(const Document& document) {
 }
 
 Document otherSide(const Document& document) {
+    if (document.comparison.isRasterised()) return document;
     const Command set = Command::parse("set " + document.comparison.with);
     for (const auto& [key, value] : set.arguments())
         if (std::find(kShared.begin(), kShared.end(), key) != kShared.end())

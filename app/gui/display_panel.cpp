@@ -1,6 +1,9 @@
 #include <array>
 
+#include <fmt/format.h>
+
 #include "app/gui/panels.h"
+#include "core/study/layer_picture.h"
 
 namespace eyeray {
 namespace {
@@ -11,9 +14,27 @@ constexpr std::array kToneMapLabels = {"none (linear)"sv, "clamp"sv, "Reinhard 2
                                        "ACES (Narkowicz 2015)"sv};
 constexpr std::array kAccelLabels = {"auto"sv, "brute force"sv, "BVH"sv};
 
+/// Which layer of the picture is shown.
+void layerChoice(const Widgets& ui) {
+    const Layer shown = shownLayer(ui.viewer.document());
+    ImGui::SetNextItemWidth(-1);
+    const bool open = ImGui::BeginCombo("##layer", fmt::format("layer: {}", shown.name).c_str());
+    ui.mark("layer");
+    ui.tooltip(aboutLayer(shown));
+    if (!open) return;
+    for (const Layer& layer : layersOf(*ui.viewer.document().scene)) {
+        if (ImGui::Selectable(layer.name.c_str(), layer == shown))
+            ui.execute({"layer", {{"name", layer.name}}}, {});
+        ui.mark("layer=" + layer.name);
+        ui.tooltip(aboutLayer(layer));
+    }
+    ImGui::EndCombo();
+}
+
 }
 
 void displayPanel(const Widgets& ui) {
+    layerChoice(ui);
     ui.number("Exposure", "exposure", -8, 8, "%+.1f EV");
     ui.choice("Tone mapping", "tonemap", kToneMapNames, kToneMapLabels);
     ui.integer("Samples", "samples", 1, 4096, true);

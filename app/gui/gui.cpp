@@ -118,7 +118,7 @@ void Gui::middle(const Widgets& ui, ImVec2 at, ImVec2 size) {
                                                       : ExplainLayout{{at, size}, {}, {}};
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {0, 0});
     begin("picture", layout.picture, kStill);
-    picture_.draw(ui);
+    picture_.draw(ui, other_);
     ImGui::End();
     ImGui::PopStyleVar();
     if (layout.rays) {
@@ -163,12 +163,15 @@ void Gui::panels(const Widgets& ui) {
     if (panelHeading(ui, "Picked pixel")) pixelPanel(ui);
     if (panelHeading(ui, "Lamps and sky", false)) lightsPanel(ui);
     if (panelHeading(ui, "Display")) displayPanel(ui);
+    if (panelHeading(ui, "Compare", false)) comparePanel(ui);
 }
 
 void Gui::keys() {
     const ImGuiIO& io = ImGui::GetIO();
     if (io.WantTextInput) return;
     if (fly_) flyKeys();
+    if (ImGui::IsKeyPressed('O', false)) execute({"other", {{"on", "on"}}});
+    if (ImGui::IsKeyReleased('O')) execute({"other", {{"on", "off"}}});
     for (const Action& action : actions()) {
         if (action.chord.empty()) continue;
         const KeyChord chord = parseKeyChord(action.chord);
@@ -202,7 +205,7 @@ void Gui::flyKeys() {
 
 void Gui::menuBar(const Widgets& ui) {
     if (!ImGui::BeginMainMenuBar()) return;
-    for (const char* menu : {"File", "Edit", "Rays", "Camera", "View"}) {
+    for (const char* menu : {"File", "Edit", "Rays", "Camera", "Layers", "Compare", "View"}) {
         const bool open = ImGui::BeginMenu(menu);
         ui.mark(fmt::format("menu {}", menu));
         if (!open) continue;

@@ -62,6 +62,8 @@ public:
     void saveRays(std::filesystem::path file, std::optional<PictureSize> size) {
         raysFile_ = {std::move(file), size};
     }
+    void setOther(bool shown) { other_ = shown; }
+    bool other() const { return other_; }
     void saveWindow(std::filesystem::path file) { windowFile_ = std::move(file); }
 
 private:
@@ -85,7 +87,7 @@ private:
     std::map<std::string, WidgetRect> widgets_;
     Dialog dialog_ = Dialog::None;
     std::string_view wantedTab_;
-    bool fly_ = false, quit_ = false, animating_ = true;
+    bool fly_ = false, other_ = false, quit_ = false, animating_ = true;
     struct RaysFile {
         std::filesystem::path file;
         std::optional<PictureSize> size;

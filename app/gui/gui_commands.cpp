@@ -49,6 +49,7 @@ void tab(Gui& gui, const Command& command) {
 void explain(Gui& gui, const Command& command) { gui.setExplain(wanted(command, gui.preferences().explain)); }
 void rasterised(Gui& gui, const Command& command) { gui.setRasterised(wanted(command, gui.rasterised())); }
 void rayview(Gui& gui, const Command& command) { gui.rayPane().execute(command); }
+void other(Gui& gui, const Command& command) { gui.setOther(wanted(command, gui.other())); }
 void fly(Gui& gui, const Command& command) { gui.setFly(wanted(command, gui.fly())); }
 void fullscreen(Gui& gui, const Command& command) {
     gui.platform().setFullscreen(wanted(command, gui.platform().fullscreen()));
@@ -133,6 +134,8 @@ constexpr std::array kCommands = {
     GuiCommand{"rasterised", "on=on|off",
                "Shows what OpenGL draws of the scene: no shadows, mirrors or glass.", rasterised},
     GuiCommand{"tab", "name=tree|sum", "Shows the picked pixel's tree or its sum.", tab},
+    GuiCommand{"other", "on=on|off", "Shows the picture in place of a layer, or the other side alone.",
+               other},
     GuiCommand{"fullscreen", "on=on|off", "Fills the screen.", fullscreen},
     GuiCommand{"fly", "on=on|off", "W A S D Q E move the eye.", fly},
     GuiCommand{"deselect", "", "Selects no object and no pixel.", deselect},

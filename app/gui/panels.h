@@ -11,6 +11,7 @@ void cameraPanel(const Widgets&);  // field of view, aspect, corners of the imag
 void objectPanel(const Widgets&);  // the selected object and its material
 void lightsPanel(const Widgets&);  // lamps, ambient light, sky
 void displayPanel(const Widgets&); // exposure, tone mapping, when to stop
+void comparePanel(const Widgets&); // the other side of a comparison, and what differs
 void pixelPanel(const Widgets&);   // the picked pixel, in short
 void treeView(const Widgets&);     // its rays, as a diagram or a table
 void ledgerView(const Widgets&);   // its colour as a sum

@@ -34,90 +34,56 @@ double metresPerPixel(const Camera& camera, double distance, int height) {
 
 }
 
-void PictureView::draw(const Widgets& ui) {
+void PictureView::draw(const Widgets& ui, bool other) {
     const ImVec2 available = ImGui::GetContentRegionAvail();
     const double aspect = ui.viewer.hasScene() ? ui.viewer.document().aspect : 0;
-    const Fit size = fit(available, aspect);
-    ui.viewer.setPictureSize(size.width, size.height);
+    const Fit fitting = fit(available, aspect);
+    ui.viewer.setPictureSize(fitting.width, fitting.height);
     refresh(ui);
 
     const ImVec2 start = ImGui::GetCursorScreenPos();
-    const ImVec2 corner{std::floor(start.x + (available.x - static_cast<float>(size.width)) / 2),
-                        std::floor(start.y + (available.y - static_cast<float>(size.height)) / 2)};
-    const ImVec2 opposite{corner.x + static_cast<float>(size.width),
-                          corner.y + static_cast<float>(size.height)};
-    if (texture_.width() > 0) ImGui::GetWindowDrawList()->AddImage(textureId(texture_), corner, opposite);
+    const ImVec2 size{static_cast<float>(fitting.width), static_cast<float>(fitting.height)};
+    const ImVec2 corner{std::floor(start.x + (available.x - size.x) / 2),
+                        std::floor(start.y + (available.y - size.y) / 2)};
+    image(ui, corner, size, other);
+    if (ui.viewer.hasScene() && ui.viewer.document().comparison.on) CompareView::handle(ui, corner, size);
     ImGui::SetCursorScreenPos(corner);
-    ImGui::InvisibleButton("picture", {static_cast<float>(size.width), static_cast<float>(size.height)},
+    ImGui::InvisibleButton("picture", size,
                            ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonRight |
                                ImGuiButtonFlags_MouseButtonMiddle);
     ui.mark("picture");
     if (!ui.viewer.hasScene()) return;
     mouse(ui, corner);
     pickedMark(ui, corner);
-    if (rasterised_) rasterisedNote(ui, corner);
+    if (rasterised_) raster_.note(ui, corner);
 }
 
 void PictureView::setRasterised(bool on) {
     rasterised_ = on;
-    rasterisedFor_.reset();
-    display_.reset(); // what is traced is to be shown anew
-}
-
-void PictureView::rasterise(const Widgets& ui) {
-    const Document& document = ui.viewer.document();
-    const RasterisedFor now{ui.viewer.world(), document.camera, ui.viewer.pictureSize(),
-                            document.render.display};
-    if (!now.world || now == rasterisedFor_) return;
-    if (!rasteriser_) rasteriser_.emplace(gl_);
-    shown_ = display(rasteriser_->draw(now.world, now.camera, now.size.width, now.size.height).radiance,
-                     now.display);
-    texture_.upload(shown_);
-    ++version_;
-    rasterisedFor_ = now;
-}
-
-/// Says in the picture that it is none of the tracer's.
-void PictureView::rasterisedNote(const Widgets& ui, ImVec2 corner) const {
-    constexpr const char* kText = "rasterised by OpenGL: local illumination, z-buffer (G)";
-    const float pad = 5 * ui.scale, wrap = std::max(1.0F, static_cast<float>(shown_.width()) - 4 * pad);
-    const ImVec2 size = ImGui::CalcTextSize(kText, nullptr, false, wrap);
-    const ImVec2 at{corner.x + 2 * pad, corner.y + 2 * pad};
-    ImDrawList* list = ImGui::GetWindowDrawList();
-    list->AddRectFilled({at.x - pad, at.y - pad}, {at.x + size.x + pad, at.y + size.y + pad},
-                        IM_COL32(0, 0, 0, 170), pad);
-    list->AddText(ImGui::GetFont(), ImGui::GetFontSize(), at, IM_COL32_WHITE, kText, nullptr, wrap);
+    ++switches_;
 }
 
 void PictureView::refresh(const Widgets& ui) {
     if (!ui.viewer.hasScene()) return;
-    if (rasterised_) return rasterise(ui);
-    std::vector<Tile> changed = ui.viewer.session().read(picture_);
-    const DisplaySettings& display = ui.viewer.document().render.display;
-    if (picture_.radiance.empty()) return;
-    const int width = picture_.radiance.width(), height = picture_.radiance.height();
-    if (display_ != display || shown_.width() != width || shown_.height() != height) {
-        shown_ = ByteImage(width, height);
-        changed = {{0, 0, width, height}};
-        display_ = display;
-    }
-    if (!changed.empty()) show(changed, display);
+    const Comparison& comparison = ui.viewer.document().comparison;
+    film_.refresh(ui.viewer.session(), ui.viewer.document().render.display);
+    layer_.refresh(ui.viewer);
+    if (comparison.on) compare_.refresh(ui.viewer);
+    if (rasterised_ || (comparison.on && comparison.isRasterised())) raster_.refresh(ui.viewer);
 }
 
-void PictureView::show(const std::vector<Tile>& tiles, const DisplaySettings& settings) {
-    ++version_;
-    std::size_t pixels = 0;
-    for (const Tile& tile : tiles) {
-        const auto columns = static_cast<std::size_t>(tile.x1 - tile.x0);
-        for (int y = tile.y0; y < tile.y1; ++y)
-            display({&picture_.radiance.at(tile.x0, y), columns}, settings,
-                    {&shown_.at(tile.x0, y), columns});
-        pixels += columns * static_cast<std::size_t>(tile.y1 - tile.y0);
-    }
-    const bool sameSize = texture_.width() == shown_.width() && texture_.height() == shown_.height();
-    if (!sameSize || pixels * 2 > shown_.values().size()) return texture_.upload(shown_);
-    for (const Tile& tile : tiles)
-        texture_.upload(shown_, {tile.x0, tile.y0, tile.x1 - tile.x0, tile.y1 - tile.y0});
+void PictureView::image(const Widgets& ui, ImVec2 corner, ImVec2 size, bool other) const {
+    const ImVec2 opposite{corner.x + size.x, corner.y + size.y};
+    const LegendPlace place{{corner.x, opposite.y}, size.x};
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    const bool compares = ui.viewer.hasScene() && ui.viewer.document().comparison.on;
+    const bool layered = layer_.showing() && !compares && !other && !rasterised_;
+    const GlTexture& whole = layered ? layer_.texture() : texture();
+    if (whole.width() > 0) list.AddImage(textureId(whole), corner, opposite);
+    if (layered) layer_.legend(ui, place);
+    if (!compares) return;
+    compare_.draw(ui, raster_.texture(), corner, size, other);
+    compare_.legend(ui, place);
 }
 
 void PictureView::mouse(const Widgets& ui, ImVec2 corner) {
@@ -162,14 +128,14 @@ void PictureView::drag(const Widgets& ui, int button, ImVec2 delta) {
         ui.execute({"turn", {{"yaw", toText(-kTurnSpeed * right)}, {"pitch", toText(-kTurnSpeed * down)}}},
                    gesture);
     } else if (button == ImGuiMouseButton_Middle) {
-        const double metres = metresPerPixel(camera, camera.distance(), shown_.height());
+        const double metres = metresPerPixel(camera, camera.distance(), shown().height());
         ui.execute({"pan", {{"right", toText(-metres * right)}, {"up", toText(metres * down)}}}, gesture);
     } else if (ImGui::GetIO().KeyShift && document.selectedObject >= 0) {
         const Object& object = document.scene->objects[static_cast<std::size_t>(document.selectedObject)];
         const CameraAxes axes = axesOf(camera);
         const double distance = glm::dot(camera.eye - DVec3(object.transform[3]), axes.backward);
         const double metres =
-            metresPerPixel(camera, std::max(distance, 0.1 * camera.distance()), shown_.height());
+            metresPerPixel(camera, std::max(distance, 0.1 * camera.distance()), shown().height());
         const DVec3 by = metres * (axes.right * right - axes.up * down);
         ui.execute({"move", {{"object", fmt::format("{}", document.selectedObject)}, {"by", toText(by)}}},
                    gesture);
@@ -181,7 +147,7 @@ void PictureView::drag(const Widgets& ui, int button, ImVec2 delta) {
 
 void PictureView::pick(const Widgets& ui, ImVec2 position, ImVec2 corner) {
     const int x = static_cast<int>(position.x - corner.x), y = static_cast<int>(position.y - corner.y);
-    if (x < 0 || y < 0 || x >= shown_.width() || y >= shown_.height()) return;
+    if (x < 0 || y < 0 || x >= shown().width() || y >= shown().height()) return;
     ui.execute({"pick", {{"x", fmt::format("{}", x)}, {"y", fmt::format("{}", y)}}}, {});
 }
 

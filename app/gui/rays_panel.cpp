@@ -4,6 +4,7 @@
 
 #include "app/gui/panels.h"
 #include "app/gui/theme.h"
+#include "core/study/wording.h"
 
 namespace eyeray {
 namespace {
@@ -13,13 +14,6 @@ using namespace std::string_view_literals;
 constexpr std::array kMethodLabels = {"local (rasteriser)"sv, "cast (Appel 1968)"sv, "whitted (1980)"sv};
 constexpr std::array kFresnelLabels = {"exact equations"sv, "constant kr, kt"sv};
 constexpr std::array kGlassLabels = {"do not block"sv, "tint, straight through"sv, "block"sv};
-
-std::string grouped(std::uint64_t count) {
-    std::string digits = fmt::format("{}", count);
-    for (auto i = static_cast<int>(digits.size()) - 3; i > 0; i -= 3)
-        digits.insert(static_cast<std::size_t>(i), 1, ' ');
-    return digits;
-}
 
 struct KindRow {
     RayKind kind;
@@ -50,7 +44,7 @@ void kindRow(const Widgets& ui, const KindRow& row, const RayCounts& counts) {
     else if (!row.needed)
         ImGui::TextDisabled("not needed");
     else
-        ImGui::TextColored(colorOf(row.kind, ui.dark), "%s", grouped(counts[row.kind]).c_str());
+        ImGui::TextColored(colorOf(row.kind, ui.dark), "%s", countText(counts[row.kind]).c_str());
 }
 
 }

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "app/document/document_commands.h"
+#include "app/viewer/switched_kind.h"
 #include "app/viewer/viewer_commands.h"
 #include "core/base/errors.h"
 
@@ -105,6 +106,7 @@ void Viewer::setPictureSize(int width, int height) {
 void Viewer::setPaused(bool paused) {
     paused_ = paused;
     paused ? session_->pause() : session_->resume();
+    comparison_.setPaused(paused);
 }
 
 bool Viewer::update() {
@@ -117,14 +119,15 @@ bool Viewer::update() {
     if (document().scene != builtScene_ || !(document().build == builtSettings_)) startBuilding();
     const bool started = startRendering();
     const bool metered = meterExposure();
+    const bool compared = updateComparison(), layered = updateLayer();
     const RenderStatus now = session_->status();
     const bool finished = lastPhase_ != now.phase || lastSamples_ != now.samples;
     if (document().pixel && (!picked_ || now.phase != lastPhase_)) traceAgain();
     const bool averaged = picked_ && study_.average(*session_, picked_->pixel);
     lastPhase_ = now.phase;
     lastSamples_ = now.samples;
-    return loaded || built || started || metered || finished || averaged || now.active() || loading() ||
-           building();
+    return loaded || built || started || metered || compared || layered || finished || averaged ||
+           now.active() || loading() || building();
 }
 
 void Viewer::openInBackground(const std::string& nameOrPath, std::vector<Command> commands) {
@@ -209,17 +212,25 @@ bool Viewer::startRendering() {
     settings.height = height_;
     RenderSettings shown = settings; // how the picture is displayed changes nothing of the tracing
     if (rendered_) shown.display = rendered_->display;
-    const bool same = rendered_ == shown && renderedWorld_ == world_ && sessionThreads_ == threads &&
-                      renderedCamera_ == document().camera;
-    if (same) return false;
+    const bool samePlace = renderedWorld_ == world_ && renderedCamera_ == document().camera;
+    const bool same = rendered_ == shown && samePlace && sessionThreads_ == threads;
+    const std::optional<OtherPicture> other = otherPicture();
+    if (same && other == compared_) return false;
+    const bool endsComparison = same && !other;
+    compared_ = other;
+    if (endsComparison) {
+        comparison_.stop(*session_);
+        return true;
+    }
     if (sessionThreads_ != threads) {
         session_ = std::make_unique<RenderSession>(threads);
         sessionThreads_ = threads;
         if (paused_) session_->pause();
     }
-    rendered_ = settings;
     renderedWorld_ = world_;
     renderedCamera_ = document().camera;
+    startComparison(settings, samePlace && rendered_ ? switchedKind(*rendered_, settings) : std::nullopt);
+    rendered_ = settings;
     session_->start(world_, document().camera, settings);
     picked_.reset();
     return true;
@@ -306,8 +317,8 @@ void Viewer::finishJobs() {
 void Viewer::finishRendering(int samples) {
     finishJobs();
     if (!hasScene()) return;
-    while (session_->status().active() && session_->status().samples < samples) {
-        session_->wait(kShortWait);
+    while (tracing(samples)) {
+        std::this_thread::sleep_for(kShortWait);
         finishJobs();
     }
     update();

@@ -14,6 +14,8 @@
 #include "app/document/picture_file.h"
 #include "app/document/scene_files.h"
 #include "app/viewer/background_job.h"
+#include "app/viewer/comparison_rendering.h"
+#include "app/viewer/layer_rendering.h"
 #include "app/viewer/pixel_study.h"
 #include "core/render/render_session.h"
 
@@ -30,6 +32,13 @@ struct Notice {
     enum class Kind : std::uint8_t { Done, Warning, Error } kind = Kind::Done;
     std::string text;
     std::chrono::steady_clock::time_point time;
+};
+
+/// The picture that the document is compared with.
+struct OtherPicture {
+    Camera camera;
+    RenderSettings settings;
+    friend bool operator==(const OtherPicture&, const OtherPicture&) = default;
 };
 
 /// Used by one thread. Nothing here waits for loading, building or tracing but finishJobs and
@@ -79,6 +88,8 @@ public:
     int selectedRay() const;
     /// The picked sample's ledger and tree, as they are looked at. Valid while there is a picked sample.
     const PixelStudy& study() const { return study_; }
+    const LayerRendering& layers() const { return layers_; }
+    const ComparisonRendering& comparison() const { return comparison_; }
     const std::deque<Notice>& notices() const { return notices_; }
     /// True while there is a notice that will go by itself.
     bool noticesPass() const;
@@ -98,6 +109,9 @@ public:
     /// Strikes a node of the picked sample's ledger out, or back in.
     void strike(int node, bool out) { study_.strike(node, out); }
     void restoreStruck() { study_.restore(); }
+    /// Shows the difference of a comparison, or takes it away; without one, what the last switch of a ray
+    /// kind has changed. Throws InputError if none has been switched.
+    void toggleDifference();
     void report(Notice::Kind, std::string text);
     void dismissNotice(std::size_t index);
     /// Ends a drag: the next change is a step of its own for undo.
@@ -120,6 +134,11 @@ private:
     void startBuilding();
     bool takeBuilt();
     bool startRendering();
+    std::optional<OtherPicture> otherPicture() const;
+    void startComparison(const RenderSettings& now, const std::optional<std::string>& switched);
+    bool updateComparison();
+    bool updateLayer();
+    bool tracing(int samples) const;
     bool meterExposure();
     void traceAgain();
     Document fileDocument() const;
@@ -144,6 +163,10 @@ private:
     Camera renderedCamera_;
     std::shared_ptr<const World> renderedWorld_;
     int width_ = 0, height_ = 0;
+    LayerRendering layers_;
+    ComparisonRendering comparison_;
+    std::optional<OtherPicture> compared_; // what the comparison was last started with
+    std::string lastSwitch_;               // the setting that undoes it, such as "reflections=on"
     bool paused_ = false;
     bool meter_ = false; // the exposure is to be metered from the first picture
 

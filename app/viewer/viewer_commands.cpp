@@ -38,22 +38,42 @@ void save(Viewer& viewer, const Command& command) {
 }
 
 /// The picture alone, as it stands: whole passes, or the coarse picture before there are any.
-void screenshot(Viewer& viewer, const Command& command) {
-    command.allowOnly({"file"});
-    needScene(viewer, command);
-    const fs::path file =
-        command.find("file")
-            ? fs::path(*command.find("file"))
-            : freeName(picturesFolder(), fs::path(viewer.opened().reference).stem().string());
+void savePicture(Viewer& viewer, const fs::path& file) {
     ColorImage image = viewer.session().image();
     if (image.empty()) {
         Picture picture;
         viewer.session().read(picture);
         image = picture.radiance;
     }
-    if (image.empty()) throw InputError(command.text(), "there is no picture yet", "wait a moment");
+    if (image.empty()) throw InputError(file.string(), "there is no picture yet", "wait a moment");
     writePicture(file, image, viewer.document().render.display, viewer.pictureState());
-    viewer.report(Notice::Kind::Done, fmt::format("picture saved as {}", file.string()));
+}
+
+void saveLayer(Viewer& viewer, const fs::path& file) {
+    const auto& film = viewer.layers().film();
+    if (!film) throw InputError(file.string(), "the layer is not there yet", "wait a moment");
+    writeLayer(file, film->image(0), viewer.document().render.display, viewer.pictureState());
+}
+
+/// What is shown: the picture, or the layer of it.
+void screenshot(Viewer& viewer, const Command& command) {
+    command.allowOnly({"file"});
+    needScene(viewer, command);
+    const Layer layer = shownLayer(viewer.document());
+    const bool isPicture = layer.quantity == Quantity::Picture;
+    std::string stem = fs::path(viewer.opened().reference).stem().string();
+    if (!isPicture) stem += "-" + layer.name;
+    const fs::path file =
+        command.find("file") ? fs::path(*command.find("file")) : freeName(picturesFolder(), stem);
+    isPicture ? savePicture(viewer, file) : saveLayer(viewer, file);
+    viewer.report(Notice::Kind::Done,
+                  fmt::format("{} saved as {}", isPicture ? "picture" : layer.name, file.string()));
+}
+
+void difference(Viewer& viewer, const Command& command) {
+    command.allowOnly({});
+    needScene(viewer, command);
+    viewer.toggleDifference();
 }
 
 void undo(Viewer& viewer, const Command& command) {
@@ -111,12 +131,16 @@ constexpr std::array kCommands = {
                   open},
     ViewerCommand{"reload", "", "Loads the scene file again and keeps the view.", reload},
     ViewerCommand{"save", "file=FILE.gltf|.glb", "Saves the edited scene.", save},
-    ViewerCommand{"screenshot", "file=FILE", "Saves the picture; without a name into the Pictures folder.",
+    ViewerCommand{"screenshot", "file=FILE",
+                  "Saves the picture or the layer shown; without a name into the Pictures folder.",
                   screenshot},
     ViewerCommand{"undo", "", "Takes back the last change.", undo},
     ViewerCommand{"redo", "", "Does it again.", redo},
     ViewerCommand{"reset", "", "Returns to the scene's own state.", reset},
     ViewerCommand{"pause", "on=on|off", "Pauses or resumes tracing.", pause},
+    ViewerCommand{"difference", "",
+                  "Shows what differs between the two sides, or what the last switch of a ray kind changed.",
+                  difference},
     ViewerCommand{"pick", "x=X y=Y select=on|off",
                   "Picks a pixel and selects its object; without x and y, none.", pick},
     ViewerCommand{"sample", "n=N", "Shows sample N of the picked pixel; 0 goes through its centre.", sample},

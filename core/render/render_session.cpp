@@ -105,6 +105,12 @@ void RenderSession::resume() {
     changed_.notify_all();
 }
 
+void RenderSession::holdAt(int samples) {
+    const std::scoped_lock lock(mutex_);
+    holdAt_ = samples;
+    changed_.notify_all();
+}
+
 RenderStatus RenderSession::status() const {
     const std::scoped_lock lock(mutex_);
     const auto& job = pending_ ? pending_ : (running_ ? running_ : last_);
@@ -223,7 +229,7 @@ void RenderSession::run(const std::shared_ptr<Job>& job) {
     }
     if (job->settings.coarse && step > kFinestStep) traceCoarse(*job, kFinestStep);
     int pass = 0;
-    while (!finished(*job) && waitWhilePaused(*job))
+    while (!finished(*job) && waitWhileHeld(*job))
         if (tracePass(*job, pass)) ++pass;
 }
 
@@ -292,13 +298,14 @@ bool RenderSession::tracePass(Job& job, int pass) {
     return complete;
 }
 
-bool RenderSession::waitWhilePaused(Job& job) {
+/// False if the job was cancelled meanwhile.
+bool RenderSession::waitWhileHeld(Job& job) {
     std::unique_lock lock(mutex_);
-    if (paused_) {
-        job.status.phase = Phase::Paused;
-        changed_.wait(lock, [&] { return !paused_ || job.cancelled; });
-        job.status.phase = Phase::Refining;
+    while (!job.cancelled && (paused_ || (holdAt_ > 0 && job.passes >= holdAt_))) {
+        job.status.phase = paused_ ? Phase::Paused : Phase::Refining;
+        changed_.wait(lock);
     }
+    if (!job.cancelled) job.status.phase = Phase::Refining;
     return !job.cancelled;
 }
 

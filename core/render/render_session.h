@@ -55,6 +55,10 @@ public:
     void pause();
     void resume();
 
+    /// Waits at `samples` whole passes, of this picture and those to come, until told otherwise; 0: nowhere.
+    /// Two sessions that are to be compared are led from number to number so.
+    void holdAt(int samples);
+
     /// Tiles near this pixel come first, from the next picture on; by default those in the middle.
     void setFocus(DVec2 pixel) { focus_ = pixel; }
     void clearFocus() { focus_ = DVec2(-1); }
@@ -86,7 +90,7 @@ private:
     int coarseStep(const RenderSettings&) const;
     void traceCoarse(Job&, int step);
     bool tracePass(Job&, int pass);
-    bool waitWhilePaused(Job&);
+    bool waitWhileHeld(Job&);
     bool finished(Job&);
     std::shared_ptr<Film> freeFilm(int width, int height);
 
@@ -101,6 +105,7 @@ private:
     std::shared_ptr<Job> pending_, running_; // to be traced next, being traced
     std::shared_ptr<Job> shown_, last_;      // whose picture read() shows; the last that ended
     bool paused_ = false;
+    int holdAt_ = 0;
 
     std::jthread coordinator_;
 };

@@ -140,7 +140,7 @@ std::string rangeText(const LayerImage& image, const LayerRange& range) {
     return fmt::format("{}: {} from {} ({}) to {} ({}){}", image.layer.name, aboutLayer(image.layer),
                        valueText(quantity, range.lowest), depth ? "white" : "dark blue",
                        valueText(quantity, range.highest), depth ? "dark grey" : "light yellow",
-                       range.cut ? ", a few pixels above" : "");
+                       range.cut ? ", a few pixels beyond" : "");
 }
 
 std::vector<ImageChannel> channelsOf(const LayerImage& image) {

@@ -1,6 +1,7 @@
 #pragma once
 // The words for what happened to a ray, the same in every view.
 
+#include <cstdint>
 #include <string>
 #include <string_view>
 
@@ -32,5 +33,8 @@ std::string metresText(float t);
 
 /// "r g b", four digits each.
 std::string colorText(const Color&);
+
+/// A count with its digits in groups of three: "1 234 567".
+std::string countText(std::uint64_t count);
 
 }

@@ -1,0 +1,118 @@
+#include "app/gui/layer_view.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <numeric>
+
+#include "core/study/color_map.h"
+#include "core/study/wording.h"
+
+namespace eyeray {
+namespace {
+
+constexpr std::size_t kMostObjects = 8; // in a legend
+
+ImU32 toImColor(const Rgba8& c) { return IM_COL32(c.r, c.g, c.b, 255); }
+
+/// Round numbers in a range, from two to six of them.
+std::vector<double> ticksIn(const LayerRange& range) {
+    const double span = range.highest - range.lowest;
+    const double power = std::pow(10.0, std::floor(std::log10(span)));
+    double step = power;
+    for (const double finer : {0.5, 0.2})
+        if (span / step < 3) step = power * finer;
+    std::vector<double> ticks;
+    for (double tick = std::ceil(range.lowest / step) * step; tick <= range.highest + 1e-9 * span;
+         tick += step)
+        ticks.push_back(std::fabs(tick) < 1e-9 * span ? 0 : tick);
+    return ticks;
+}
+
+}
+
+void LayerView::refresh(const Viewer& viewer) {
+    const auto& film = viewer.layers().film();
+    if (!film) {
+        film_ = nullptr;
+        return;
+    }
+    const DisplaySettings& settings = viewer.document().render.display;
+    const bool same = film == film_ && film->passes() == image_.samples && settings == display_;
+    if (same) return;
+    film_ = film;
+    display_ = settings;
+    image_ = film->image(0);
+    const Quantity quantity = image_.layer.quantity;
+    range_ = hasRange(quantity) ? rangeOf(image_) : LayerRange{};
+    texture_.upload(displayLayer(image_, range_, settings));
+    if (quantity == Quantity::Object) countObjects();
+}
+
+void LayerView::countObjects() {
+    std::vector<std::size_t> pixels;
+    for (const Color& id : image_.values.values()) {
+        if (id.x < 0) continue;
+        const auto i = static_cast<std::size_t>(id.x);
+        if (i >= pixels.size()) pixels.resize(i + 1);
+        ++pixels[i];
+    }
+    objects_.resize(pixels.size());
+    std::iota(objects_.begin(), objects_.end(), 0);
+    std::erase_if(objects_, [&](int i) { return pixels[static_cast<std::size_t>(i)] == 0; });
+    std::stable_sort(objects_.begin(), objects_.end(), [&](int a, int b) {
+        return pixels[static_cast<std::size_t>(a)] > pixels[static_cast<std::size_t>(b)];
+    });
+}
+
+void LayerView::legend(const Widgets& ui, const LegendPlace& place) const {
+    legendPane(ui, "layer legend", place, [&] {
+        const Quantity quantity = image_.layer.quantity;
+        ImGui::TextUnformatted(image_.layer.name.c_str());
+        ImGui::SameLine();
+        ImGui::TextDisabled("%d of %d samples", image_.samples, ui.viewer.layers().samplesInAll());
+        ImGui::TextWrapped("%s", aboutLayer(image_.layer).c_str());
+        if (hasRange(quantity)) colorBar(std::min(ImGui::GetFontSize() * 22, place.width * 0.7F));
+        if (quantity == Quantity::Object) objects(*ui.viewer.document().scene);
+    });
+}
+
+void LayerView::objects(const Scene& scene) const {
+    for (std::size_t i = 0; i < std::min(objects_.size(), kMostObjects); ++i)
+        swatch(objectColor(objects_[i]), fmt::format("{} {}", objects_[i], objectName(scene, objects_[i])));
+    if (objects_.size() > kMostObjects)
+        ImGui::TextDisabled("and %d more", static_cast<int>(objects_.size() - kMostObjects));
+}
+
+void LayerView::colorBar(float width) const {
+    const Quantity quantity = image_.layer.quantity;
+    const float letter = ImGui::GetFontSize(), side = 0.8F * letter; // room for the numbers at its ends
+    const ImVec2 start = ImGui::GetCursorScreenPos();
+    const float left = start.x + side, length = width - 2.5F * side;
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    const double span = range_.highest - range_.lowest;
+    const int steps = static_cast<int>(length);
+    for (int i = 0; i < steps; ++i) {
+        const double value = range_.lowest + span * (i + 0.5) / steps;
+        const float x = left + static_cast<float>(i);
+        list.AddRectFilled({x, start.y}, {x + 1, start.y + letter},
+                           toImColor(rangeColor(quantity, value, range_)));
+    }
+    const ImU32 ink = ImGui::GetColorU32(ImGuiCol_Text);
+    list.AddRect({left - 1, start.y - 1}, {left + static_cast<float>(steps) + 1, start.y + letter + 1},
+                 ImGui::GetColorU32(ImGuiCol_TextDisabled));
+    for (const double tick : ticksIn(range_)) {
+        const float x = left + static_cast<float>((tick - range_.lowest) / span) * length;
+        const std::string text = fmt::format("{:g}", tick);
+        list.AddLine({x, start.y + letter}, {x, start.y + 1.3F * letter}, ink);
+        list.AddText({x - ImGui::CalcTextSize(text.c_str()).x / 2, start.y + 1.3F * letter}, ink,
+                     text.c_str());
+    }
+    ImGui::Dummy({width, 2.4F * letter});
+    const std::string end =
+        fmt::format("{} to {}{}", valueText(quantity, range_.lowest), valueText(quantity, range_.highest),
+                    range_.cut ? ", a few pixels beyond" : "");
+    ImGui::TextDisabled("%s", end.c_str());
+}
+
+}

@@ -1,0 +1,40 @@
+#pragma once
+// A layer in place of the picture, with its legend.
+
+#include <memory>
+#include <vector>
+
+#include "app/gl/texture.h"
+#include "app/gui/legend.h"
+#include "core/study/layer_picture.h"
+
+namespace eyeray {
+
+class LayerView {
+public:
+    explicit LayerView(const Gl& gl) : texture_(gl) {}
+
+    /// Takes over what the viewer has traced of the layer it shows.
+    void refresh(const Viewer&);
+
+    /// False as long as there is nothing of it.
+    bool showing() const { return film_ != nullptr; }
+    const GlTexture& texture() const { return texture_; }
+
+    /// Name and meaning, and the colour bar with its numbers or the objects with their colours.
+    void legend(const Widgets&, const LegendPlace&) const;
+
+private:
+    void countObjects();
+    void objects(const Scene&) const;
+    void colorBar(float width) const;
+
+    GlTexture texture_;
+    std::shared_ptr<const LayerFilm> film_; // that the rest was made of
+    LayerImage image_;
+    LayerRange range_;
+    DisplaySettings display_;
+    std::vector<int> objects_; // of an id layer, largest in the picture first
+};
+
+}

@@ -1,0 +1,88 @@
+// What the viewer shows besides its picture: layers, and the other side of a comparison.
+
+#include <fmt/format.h>
+
+#include "app/viewer/switched_kind.h"
+#include "app/viewer/viewer.h"
+#include "core/base/errors.h"
+
+namespace eyeray {
+namespace {
+
+constexpr int kLayerSamples = 16; // smooth edges; more would show little more
+
+}
+
+bool Viewer::updateLayer() {
+    const Layer layer = shownLayer(document());
+    if (layer.quantity == Quantity::Picture || !rendered_) {
+        layers_.clear();
+        return false;
+    }
+    RenderSettings settings = *rendered_;
+    settings.display = {};
+    settings.stop = {.samples = std::min(settings.stop.samples, kLayerSamples), .seconds = 0, .error = 0};
+    layers_.show({layer, renderedWorld_, renderedCamera_, settings, sessionThreads_});
+    try {
+        return layers_.update();
+    } catch (const std::exception& error) {
+        report(Notice::Kind::Error, error.what());
+        return true;
+    }
+}
+
+std::optional<OtherPicture> Viewer::otherPicture() const {
+    const Comparison& comparison = document().comparison;
+    if (!comparison.on || comparison.isRasterised()) return std::nullopt;
+    const Document other = otherSide(document());
+    OtherPicture picture{other.camera, other.render};
+    picture.settings.width = width_;
+    picture.settings.height = height_;
+    picture.settings.display = {}; // how it is displayed changes nothing of the tracing
+    return picture;
+}
+
+void Viewer::startComparison(const RenderSettings& now, const std::optional<std::string>& switched) {
+    if (compared_) {
+        lastSwitch_.clear();
+        comparison_.start(world_, compared_->camera, compared_->settings, sessionThreads_, now.stop.samples,
+                          *session_);
+    } else if (switched) {
+        lastSwitch_ = *switched;
+        comparison_.start(world_, renderedCamera_, *rendered_, sessionThreads_, 1, *session_);
+    } else {
+        comparison_.stop(*session_);
+    }
+}
+
+bool Viewer::updateComparison() {
+    const DisplaySettings& display = document().render.display;
+    const bool measured =
+        comparison_.update(*session_, display, compared_ ? otherSide(document()).render.display : display);
+    if (measured && !compared_) {
+        report(Notice::Kind::Done, switchText(lastSwitch_, *comparison_.change()) + "; D shows them");
+        comparison_.stop(*session_);
+    }
+    return measured || comparison_.active();
+}
+
+void Viewer::toggleDifference() {
+    const Comparison& comparison = document().comparison;
+    if (!comparison.on && lastSwitch_.empty())
+        throw InputError("difference", "there is nothing to compare with",
+                         "switch a kind of rays first, or compare two settings");
+    if (comparison.on)
+        execute({"compare", {{"difference", toText(!comparison.difference)}}});
+    else
+        execute({"compare", {{"with", lastSwitch_}, {"difference", "on"}}});
+}
+
+bool Viewer::tracing(int samples) const {
+    if (paused_) return layers_.active();
+    const RenderStatus status = session_->status();
+    const int compared = comparison_.change() ? comparison_.change()->samples : 0;
+    return (status.active() && status.samples < samples) || layers_.active() ||
+           (comparison_.active() && compared < samples);
+}
+
+}
