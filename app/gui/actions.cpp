@@ -92,6 +92,8 @@ constexpr std::array kGestures = {
     Gesture{"Right drag", "looks around from where the eye is"},
     Gesture{"Drag the line", "moves the border between two compared pictures"},
     Gesture{"Hold O", "shows the picture in place of a layer, or the other side of a comparison alone"},
+    Gesture{"Over the rays in space", "left drag orbits, middle drag moves, the wheel comes nearer; a click "
+                                      "on a ray selects it"},
     Gesture{"Drop a file", "opens a scene, or a picture that Eyeray made"},
 };
 

@@ -114,6 +114,7 @@ void Gui::middle(const Widgets& ui, ImVec2 at, ImVec2 size) {
         ImGui::SetNextWindowSize(area.size);
         ImGui::Begin(name, nullptr, flags);
     };
+    rayPane_.noticeScene(viewer_);
     const ExplainLayout layout = preferences_.explain ? explainLayout({at, size}, ImGui::GetFontSize())
                                                       : ExplainLayout{{at, size}, {}, {}};
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {0, 0});

@@ -24,7 +24,6 @@ constexpr float kPlainHeight = 600; // pixels; letters and lines of higher files
 constexpr double kLeastFileHeight = 900;
 constexpr float kNearArrow = 8;          // pixels at scale 1: a click hits an arrow so near
 constexpr std::size_t kMostPixels = 200; // whose rays are shown at once
-constexpr std::size_t kMostRays = 1000;  // beyond it nobody sees anything
 constexpr float kLegendHeight = 17;      // of the least pane with a legend, in letters' heights
 constexpr int kPixelsInLine = 24;        // of a row or column, if no step is given
 constexpr int kPixelsInGrid = 9;         // along the longer side, likewise
@@ -156,12 +155,14 @@ void RayPane::execute(const Command& command) {
     labels_ = labels.value_or(labels_);
 }
 
+void RayPane::noticeScene(const Viewer& viewer) {
+    if (!viewer.hasScene() || scene_ == viewer.opened().reference) return;
+    scene_ = viewer.opened().reference;
+    view_.outside().go(OutsideStand::Frame);
+}
+
 void RayPane::draw(const Widgets& ui, const PictureView& picture) {
     if (!drawable(ui, picture)) return;
-    if (scene_ != ui.viewer.opened().reference) {
-        scene_ = ui.viewer.opened().reference;
-        view_.outside().go(OutsideStand::Frame);
-    }
     toolbar(ui);
     const ImVec2 available = ImGui::GetContentRegionAvail(), corner = ImGui::GetCursorScreenPos();
     if (available.x < kLeastPane || available.y < kLeastPane) return;
@@ -257,7 +258,7 @@ void RayPane::traceMany(const Widgets& ui) {
         auto trace = viewer.session().retrace(p.x, p.y, now.sample);
         if (!trace) continue;
         rays += trace->rays.size();
-        if (rays > kMostRays) break;
+        if (rays > kMostArrows) break;
         many_.push_back(std::move(*trace));
     }
     tracedFor_ = std::move(now);
@@ -342,7 +343,11 @@ void RayPane::caption(const Widgets& ui, Sketch& sketch, const RayStyle& style, 
     if (!ui.viewer.document().pixel && show_ == ShownRays::Pixel)
         say("click a pixel of the picture to see its rays");
     else if (show_ != ShownRays::Pixel && many_.size() < wanted_)
-        say(fmt::format("{} of {} pixels: no more than {} rays are drawn", many_.size(), wanted_, kMostRays));
+        say(fmt::format("{} of {} pixels: no more than {} rays are drawn", many_.size(), wanted_,
+                        kMostArrows));
+    else if (view_.raysLeftOut() > 0)
+        say(fmt::format("the {} weightiest of {} rays", view_.arrows().size(),
+                        view_.arrows().size() + view_.raysLeftOut()));
     const auto height = static_cast<float>(size.height);
     if (height > kLegendHeight * style.letter)
         drawLegend(sketch, view_.arrows(), style, {margin, height - margin});

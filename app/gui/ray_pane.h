@@ -20,6 +20,9 @@ class RayPane {
 public:
     explicit RayPane(const Gl& gl) : gl_(gl), view_(gl) {}
 
+    /// Begins with a view of the whole when another scene is open; to be called once a frame.
+    void noticeScene(const Viewer&);
+
     /// Fills what is left of the current ImGui window.
     void draw(const Widgets&, const PictureView&);
 

@@ -1,6 +1,7 @@
 #include "app/rayview/arrows.h"
 
 #include <algorithm>
+#include <functional>
 
 #include "core/geometry/accel.h"
 
@@ -38,6 +39,23 @@ std::vector<Arrow> arrowsOf(const SampleRecord& record, const World& world, int 
         if (ray.end == RayEnd::Blocked) arrow.blocker = blockerOf(world, ray);
         arrows.push_back(arrow);
     }
+    return arrows;
+}
+
+std::vector<Arrow> weightiest(std::vector<Arrow> arrows, std::size_t most, int kept) {
+    if (arrows.size() <= most) return arrows;
+    std::vector<float> weights;
+    for (const Arrow& arrow : arrows) weights.push_back(arrow.weight);
+    const auto least = weights.begin() + static_cast<std::ptrdiff_t>(most);
+    std::nth_element(weights.begin(), least, weights.end(), std::greater<>());
+    std::size_t room = most; // for those of just the least weight
+    for (const Arrow& arrow : arrows) room -= arrow.weight > *least ? 1U : 0U;
+    std::erase_if(arrows, [&](const Arrow& arrow) {
+        if (arrow.weight > *least || (arrow.sample == 0 && arrow.ray == kept)) return false;
+        if (arrow.weight < *least || room == 0) return true;
+        --room;
+        return false;
+    });
     return arrows;
 }
 

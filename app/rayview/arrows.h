@@ -24,4 +24,7 @@ struct Arrow {
 /// `reach` metres long. The blocker of a shadow ray is found by the tracer's closestHit.
 std::vector<Arrow> arrowsOf(const SampleRecord&, const World&, int sample, float reach);
 
+/// At most `most` of the arrows, those of the largest weight and ray `kept` of sample 0, in their order.
+std::vector<Arrow> weightiest(std::vector<Arrow>, std::size_t most, int kept);
+
 }

@@ -35,7 +35,7 @@ void OutsideView::update(const Camera& picture, double aspect) {
     camera_ = {};
     camera_.verticalFov = kFov;
     if (stand_ == OutsideStand::Follow) {
-        camera_.eye = picture.eye + distance * (0.6 * axes.backward + 0.22 * axes.right + 0.3 * axes.up);
+        camera_.eye = picture.eye + distance * (0.7 * axes.backward + 0.45 * axes.right + 0.5 * axes.up);
         camera_.target = picture.target;
         return;
     }

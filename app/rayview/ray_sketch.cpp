@@ -237,6 +237,13 @@ void drawEye(Sketch& sketch, const DepthView& view, const ImagePlane& plane, con
         const Vec2 gap = 4 * style.scale * Vec2(away.x > 0 ? 1 : -1, away.y > 0 ? 1 : -1);
         sketch.labels.push_back({corner->at + gap, plane.cornerText(i), style.text, anchor, 0.82F});
     }
+    if (plane.scale == 1) return;
+    if (const auto below = projection.point(0.5 * (plane.corners[2] + plane.corners[3])))
+        sketch.labels.push_back({below->at + Vec2(0, 1.5F * style.letter),
+                                 fmt::format("drawn {:.2g} times as far", plane.scale),
+                                 style.text,
+                                 {0.5F, 0},
+                                 0.75F});
 }
 
 void drawPixel(Sketch& sketch, const DepthView& view, const ImagePlane& plane, const DVec2& pixel, int width,

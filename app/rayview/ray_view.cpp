@@ -90,13 +90,20 @@ void RayView::drawSketch(const RayViewContent& content, const ImagePlane& plane,
                                     kReach * content.world->radius);
         arrows_.insert(arrows_.end(), added.begin(), added.end());
     }
+    leftOut_ = arrows_.size();
+    arrows_ = weightiest(std::move(arrows_), kMostArrows, content.selectedRay);
+    leftOut_ -= arrows_.size();
+    const auto selected = std::find_if(arrows_.begin(), arrows_.end(), [&](const Arrow& arrow) {
+        return content.pixel && arrow.sample == 0 && arrow.ray == content.selectedRay;
+    });
     sketch_ = {};
     drawLamps(sketch_, view, *content.world, style, content.labels);
     drawEye(sketch_, view, plane, style, content.labels);
     if (content.pixel)
         drawPixel(sketch_, view, plane, *content.pixel, content.pictureWidth, content.pictureHeight, style);
     const bool many = content.samples.size() > 1;
-    drawArrows(sketch_, view, arrows_, style, arrows_.empty() || !content.pixel ? -1 : content.selectedRay,
+    drawArrows(sketch_, view, arrows_, style,
+               selected == arrows_.end() ? -1 : static_cast<int>(selected - arrows_.begin()),
                many ? kThinMany : 1.0F);
     if (!content.labels || content.samples.size() != 1) return;
     const auto vectors = vectorsAt(*content.samples.front(), content.selectedRay);

@@ -10,6 +10,9 @@
 
 namespace eyeray {
 
+/// More arrows at once show nobody anything: the rest, of the least weight, is left out.
+inline constexpr std::size_t kMostArrows = 1000;
+
 /// What there is to see.
 struct RayViewContent {
     std::shared_ptr<const World> world;
@@ -40,6 +43,7 @@ public:
     ByteImage readPicture() const { return shown_->read(); }
     const Sketch& sketch() const { return sketch_; }
     const std::vector<Arrow>& arrows() const { return arrows_; }
+    std::size_t raysLeftOut() const { return leftOut_; } // beyond kMostArrows
     const std::optional<Projection>& projection() const { return projection_; }
     const SceneMeshes& meshes() const { return meshes_; }
 
@@ -67,6 +71,7 @@ private:
     std::uint64_t drawnPicture_ = 0;
 
     std::vector<Arrow> arrows_;
+    std::size_t leftOut_ = 0;
     Sketch sketch_;
 };
 
