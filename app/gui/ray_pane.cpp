@@ -22,11 +22,8 @@ constexpr float kClickSlop = 4;     // pixels: a press that moves less is a clic
 constexpr float kLeastPane = 8;     // pixels; smaller ones show nothing
 constexpr float kPlainHeight = 600; // pixels; letters and lines of higher files grow with them
 constexpr double kLeastFileHeight = 900;
-constexpr float kNearArrow = 8;          // pixels at scale 1: a click hits an arrow so near
-constexpr std::size_t kMostPixels = 200; // whose rays are shown at once
-constexpr float kLegendHeight = 17;      // of the least pane with a legend, in letters' heights
-constexpr int kPixelsInLine = 24;        // of a row or column, if no step is given
-constexpr int kPixelsInGrid = 9;         // along the longer side, likewise
+constexpr float kNearArrow = 8;     // pixels at scale 1: a click hits an arrow so near
+constexpr float kLegendHeight = 17; // of the least pane with a legend, in letters' heights
 
 Ink ink(std::uint32_t rgb) {
     return Ink(static_cast<float>((rgb >> 16U) & 255U), static_cast<float>((rgb >> 8U) & 255U),
@@ -63,32 +60,6 @@ PictureSize sizeForFile(PictureSize pane) {
 
 bool drawable(const Widgets& ui, const PictureView& picture) {
     return ui.viewer.hasScene() && ui.viewer.world() && !picture.shown().empty();
-}
-
-/// Every `step`-th pixel of a line of `count`, so that `through` is one of them.
-std::vector<int> everyStep(int count, int step, int through) {
-    std::vector<int> places;
-    for (int place = through % step; place < count; place += step) places.push_back(place);
-    return places;
-}
-
-std::vector<PixelPosition> pixelsOf(ShownRays show, int step, PixelPosition picked, PictureSize size) {
-    const std::vector<int> columns =
-        show == ShownRays::Column ? std::vector{picked.x} : everyStep(size.width, step, picked.x);
-    const std::vector<int> rows =
-        show == ShownRays::Row ? std::vector{picked.y} : everyStep(size.height, step, picked.y);
-    std::vector<PixelPosition> pixels;
-    for (const int y : rows)
-        for (const int x : columns)
-            if (PixelPosition{x, y} != picked) pixels.push_back({x, y});
-    return pixels;
-}
-
-int stepFor(ShownRays show, PictureSize size) {
-    const int along = show == ShownRays::Column ? size.height
-                      : show == ShownRays::Row  ? size.width
-                                                : std::max(size.width, size.height);
-    return std::max(1, along / (show == ShownRays::Grid ? kPixelsInGrid : kPixelsInLine));
 }
 
 struct Stand {
@@ -203,7 +174,7 @@ void RayPane::save(const Widgets& ui, const PictureView& picture, const std::fil
 /// Draws the view and gives what is to be laid over it.
 Sketch RayPane::compose(const Widgets& ui, const PictureView& picture, PictureSize size,
                         const RayStyle& style) {
-    traceMany(ui);
+    many_.update(ui.viewer, show_, step_);
     view_.draw(content(ui, picture), size.width, size.height, style, backdropOf(ui.dark));
     Sketch sketch = view_.sketch();
     caption(ui, sketch, style, size);
@@ -227,43 +198,6 @@ void RayPane::toolbar(const Widgets& ui) const {
     ImGui::EndCombo();
 }
 
-/// Traces the pixels of a row, a column or a grid anew when something that they show has changed.
-void RayPane::traceMany(const Widgets& ui) {
-    Viewer& viewer = ui.viewer;
-    if (show_ == ShownRays::Pixel) {
-        many_.clear();
-        tracedFor_.reset();
-        return;
-    }
-    const PictureSize size = viewer.pictureSize();
-    const auto& picked = viewer.picked();
-    const PixelPosition pixel = picked ? picked->pixel : PixelPosition{size.width / 2, size.height / 2};
-    TracedFor now{.world = viewer.world(),
-                  .camera = viewer.document().camera,
-                  .trace = viewer.document().render.trace,
-                  .width = size.width,
-                  .height = size.height,
-                  .sample = picked ? picked->sample : 0,
-                  .step = step_ > 0 ? step_ : stepFor(show_, size),
-                  .pixel = pixel,
-                  .show = show_,
-                  .ready = viewer.status().phase != RenderStatus::Phase::Coarse};
-    if (now == tracedFor_) return;
-    many_.clear();
-    const auto pixels = pixelsOf(show_, now.step, pixel, size);
-    wanted_ = pixels.size();
-    std::size_t rays = picked ? picked->trace.rays.size() : 0;
-    for (const PixelPosition& p : pixels) {
-        if (many_.size() >= kMostPixels) break;
-        auto trace = viewer.session().retrace(p.x, p.y, now.sample);
-        if (!trace) continue;
-        rays += trace->rays.size();
-        if (rays > kMostArrows) break;
-        many_.push_back(std::move(*trace));
-    }
-    tracedFor_ = std::move(now);
-}
-
 RayViewContent RayPane::content(const Widgets& ui, const PictureView& picture) {
     const Viewer& viewer = ui.viewer;
     RayViewContent content{.world = viewer.world(),
@@ -282,7 +216,7 @@ RayViewContent RayPane::content(const Widgets& ui, const PictureView& picture) {
         content.samples.push_back(&picked->trace);
         content.selectedRay = viewer.selectedRay();
     }
-    for (const Retrace& trace : many_) content.samples.push_back(&trace);
+    for (const Retrace& trace : many_.samples()) content.samples.push_back(&trace);
     return content;
 }
 
@@ -342,9 +276,9 @@ void RayPane::caption(const Widgets& ui, Sketch& sketch, const RayStyle& style, 
     };
     if (!ui.viewer.document().pixel && show_ == ShownRays::Pixel)
         say("click a pixel of the picture to see its rays");
-    else if (show_ != ShownRays::Pixel && many_.size() < wanted_)
-        say(fmt::format("{} of {} pixels: no more than {} rays are drawn", many_.size(), wanted_,
-                        kMostArrows));
+    else if (show_ != ShownRays::Pixel && many_.samples().size() < many_.wanted())
+        say(fmt::format("{} of {} pixels: no more than {} rays are drawn", many_.samples().size(),
+                        many_.wanted(), kMostArrows));
     else if (view_.raysLeftOut() > 0)
         say(fmt::format("the {} weightiest of {} rays", view_.arrows().size(),
                         view_.arrows().size() + view_.raysLeftOut()));

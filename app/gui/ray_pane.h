@@ -1,20 +1,15 @@
 #pragma once
 // The pane that shows the scene with the picked pixel's rays from outside.
 
-#include <array>
 #include <filesystem>
 #include <optional>
 
 #include "app/gui/picture_view.h"
+#include "app/gui/traced_pixels.h"
 #include "app/gui/widgets.h"
 #include "app/rayview/ray_view.h"
 
 namespace eyeray {
-
-/// Whose rays are shown: those of the picked pixel, or of every few pixels of its row, its column or the
-/// whole picture.
-enum class ShownRays : std::uint8_t { Pixel, Row, Column, Grid };
-inline constexpr std::array<std::string_view, 4> kShownRaysNames = {"pixel", "row", "column", "grid"};
 
 class RayPane {
 public:
@@ -36,21 +31,8 @@ public:
     const RayView& view() const { return view_; }
 
 private:
-    /// What the rays of more than one pixel were traced for.
-    struct TracedFor {
-        std::shared_ptr<const World> world;
-        Camera camera;
-        TraceSettings trace;
-        int width = 0, height = 0, sample = 0, step = 0;
-        PixelPosition pixel;
-        ShownRays show = ShownRays::Pixel;
-        bool ready = false; // the picture that is shown is that of the world
-        friend bool operator==(const TracedFor&, const TracedFor&) = default;
-    };
-
     Sketch compose(const Widgets&, const PictureView&, PictureSize, const RayStyle&);
     void toolbar(const Widgets&) const;
-    void traceMany(const Widgets&);
     RayViewContent content(const Widgets&, const PictureView&);
     void mouse(const Widgets&, ImVec2 corner);
     void rayTooltip(const Widgets&, int arrow) const;
@@ -63,9 +45,7 @@ private:
     bool labels_ = true;
     std::string scene_; // whose view it is
 
-    std::vector<Retrace> many_;
-    std::size_t wanted_ = 0; // pixels, of which many_ has as many as fit under the cap
-    std::optional<TracedFor> tracedFor_;
+    TracedPixels many_;
     PictureSize size_{960, 720}; // as last seen
     bool dragging_ = false;
 };

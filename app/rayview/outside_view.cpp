@@ -36,7 +36,7 @@ void OutsideView::update(const Camera& picture, double aspect) {
     camera_.verticalFov = kFov;
     if (stand_ == OutsideStand::Follow) {
         camera_.eye = picture.eye + distance * (0.7 * axes.backward + 0.45 * axes.right + 0.5 * axes.up);
-        camera_.target = picture.target;
+        camera_.target = 0.5 * (picture.eye + picture.target);
         return;
     }
     // upright axes: people keep their heads up when the picture's camera tilts
