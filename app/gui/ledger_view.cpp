@@ -25,11 +25,11 @@ void chooseSample(const Widgets& ui) {
 void chooseNotation(const Widgets& ui) {
     const auto now = static_cast<std::size_t>(ui.viewer.study().settings().notation);
     ImGui::SetNextItemWidth(ImGui::GetFontSize() * 9);
-    const bool open = ImGui::BeginCombo("##notation", kNotationLabels[now].data());
+    const bool open = ImGui::BeginCombo("##notation", std::string(kNotationLabels[now]).c_str());
     ui.mark("notation");
     if (!open) return ui.tooltip("whose letters the sum is written in");
     for (std::size_t i = 0; i < kNotationNames.size(); ++i) {
-        if (ImGui::Selectable(kNotationLabels[i].data(), i == now))
+        if (ImGui::Selectable(std::string(kNotationLabels[i]).c_str(), i == now))
             ui.execute({"notation", {{"name", std::string(kNotationNames[i])}}}, {});
         ui.mark(fmt::format("notation={}", kNotationNames[i]));
     }

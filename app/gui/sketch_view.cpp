@@ -80,7 +80,8 @@ std::string svgOf(const SketchedPicture& sketched, const ByteImage& picture) {
     svg.image({0, 0}, sketched.size, encodeDisplayed(picture, ImageFormat::Png, {}));
     for (const SketchPath& path : sketched.sketch.paths) {
         if (path.width > 0)
-            svg.line(path.points, {.color = rgb(path.ink), .width = path.width, .opacity = path.ink.a});
+            svg.line(path.points,
+                     {.color = rgb(path.ink), .width = path.width, .dashes = {}, .opacity = path.ink.a});
         else
             svg.polygon(path.points, rgb(path.ink), path.ink.a);
     }

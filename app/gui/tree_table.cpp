@@ -51,7 +51,7 @@ void treeTable(const Widgets& ui) {
                             ImGuiTableFlags_Resizable;
     if (!ImGui::BeginTable("rays", static_cast<int>(kRayHeadings.size()), kFlags)) return;
     ImGui::TableSetupScrollFreeze(1, 1);
-    for (const std::string_view heading : kRayHeadings) ImGui::TableSetupColumn(heading.data());
+    for (const std::string_view heading : kRayHeadings) ImGui::TableSetupColumn(std::string(heading).c_str());
     ImGui::TableHeadersRow();
     ImGuiListClipper clipper;
     clipper.Begin(static_cast<int>(diagram.nodes.size()));

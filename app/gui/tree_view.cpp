@@ -33,7 +33,7 @@ void controls(const Widgets& ui) {
     ImGui::SameLine();
     formButton(ui, "Table", "table", settings.table);
     for (const RayKind kind : {RayKind::Shadow, RayKind::Reflection, RayKind::Refraction})
-        kindSwitch(ui, name(kind).data(), settings.filter.kinds[static_cast<std::size_t>(kind)],
+        kindSwitch(ui, std::string(name(kind)).c_str(), settings.filter.kinds[static_cast<std::size_t>(kind)],
                    colorOf(kind, ui.dark));
     kindSwitch(ui, "untraced", settings.filter.untraced, ImGui::GetStyle().Colors[ImGuiCol_TextDisabled]);
     ui.tooltip("rays that were not traced, and why");
@@ -68,7 +68,7 @@ void rayDetails(const Widgets& ui) {
         if (row[i].empty()) continue;
         ImGui::TableNextRow();
         ImGui::TableNextColumn();
-        ImGui::TextDisabled("%s", kRayHeadings[i].data());
+        ImGui::TextDisabled("%s", std::string(kRayHeadings[i]).c_str());
         ImGui::TableNextColumn();
         ImGui::TextWrapped("%s", row[i].c_str());
     }

@@ -9,7 +9,7 @@
 namespace eyeray {
 namespace {
 
-constexpr std::size_t kRaysAtATime = 20'000; // retraced for the mean between two frames: a few milliseconds
+constexpr std::size_t kRaysAtATime = 8'000; // retraced for the mean between two frames: a few milliseconds
 
 /// Whether the same node numbers mean the same terms.
 bool alike(const Ledger& a, const Ledger& b) {

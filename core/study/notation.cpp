@@ -127,11 +127,12 @@ std::string LedgerText::whose(int node) const {
     const LedgerNode& n = ledger.at(node);
     if (n.lamp >= 0) {
         const LampTerm& lamp = record.lamps[static_cast<std::size_t>(n.lamp)];
-        const std::string name = lampName(scene, lamp.light);
+        std::string name = lampName(scene, lamp.light);
         if (n.term != Term::Lamp) return name;
         if (lamp.state == LampTerm::State::FacesAway) return name + ", behind the surface";
         if (lamp.state == LampTerm::State::OutOfReach) return name + ", out of reach";
-        return isBlack(lamp.visibility) ? name + ", blocked" : name;
+        if (isBlack(lamp.visibility)) return name + ", blocked";
+        return name;
     }
     const RayRecord& ray = record.rays[static_cast<std::size_t>(n.ray)];
     if (n.term == Term::Sent || n.term == Term::Radiance)

@@ -18,7 +18,7 @@ public:
     struct Stroke {
         std::uint32_t color = 0;
         float width = 1;
-        std::span<const float> dashes = {}; // lengths of dash, gap, …
+        std::span<const float> dashes; // lengths of dash, gap, …
         float opacity = 1;
     };
     enum class Anchor : std::uint8_t { Start, Middle, End };

@@ -98,6 +98,7 @@ private:
                .kind = RayKind::Shadow,
                .faint = blocked,
                .title = fmt::format("{}: {}", lampName(scene_, r.light), blocked ? "blocked" : "lit"),
+               .detail = {},
                .edge = weightText(r.weight),
                .radiance = r.radiance},
               parent, level);
@@ -112,7 +113,8 @@ private:
                .traced = false,
                .faint = true,
                .title = "no refraction:",
-               .detail = std::string(kTotalReflectionText)},
+               .detail = std::string(kTotalReflectionText),
+               .edge = {}},
               parent, level);
     }
 

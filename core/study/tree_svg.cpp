@@ -70,13 +70,13 @@ private:
         const Vec2 corner = placed({node.x, node.y}), size = Vec2(node.width, node.height) * kLetter;
         const std::uint32_t kind = colorOfKind(node.kind, dark_);
         svg_.box(corner, size, 0.3F * kLetter, ground_.paper,
-                 {node.faint ? ground_.border : kind, (node.faint ? 0.05F : 0.09F) * kLetter});
+                 {node.faint ? ground_.border : kind, (node.faint ? 0.05F : 0.09F) * kLetter, {}});
         if (node.traced) {
             svg_.box(corner, {kBar * kLetter, size.y}, 0.15F * kLetter, kind);
             const Vec2 swatch(kSwatch * kLetter);
             svg_.box({corner.x + size.x - swatch.x - kPadding * kLetter, corner.y + (size.y - swatch.y) / 2},
                      swatch, 0.15F * kLetter, shownColor(node.radiance, display_),
-                     {ground_.border, 0.05F * kLetter});
+                     {ground_.border, 0.05F * kLetter, {}});
         }
         const Svg::Font font{.size = 0.95F * kLetter, .color = node.faint ? ground_.dimmed : ground_.text};
         const float x = corner.x + (kBar + kPadding) * kLetter;
