@@ -174,6 +174,17 @@ TEST_F(Inspect, SvgIsWrittenWholeUnderItsName) {
     EXPECT_NE(svg.find("</svg>"), std::string::npos);
 }
 
+TEST_F(Inspect, SvgLeavesOutRaysOfLittleWeightIfAsked) {
+    const auto boxes = [&](const char* least) {
+        const std::string svg = inspect("homage", "40,30", {"--format", "svg", "--least-weight", least}).out;
+        std::size_t count = 0;
+        for (auto at = svg.find("<rect"); at != std::string::npos; at = svg.find("<rect", at + 1)) ++count;
+        return count;
+    };
+    EXPECT_GT(boxes("0"), boxes("0.01"));
+    EXPECT_GT(boxes("0.01"), boxes("1"));
+}
+
 TEST_F(Inspect, OptionsOfThePictureChangeTheSample) {
     const Json all = json("homage", "40,30"), flat = json("homage", "40,30", {"--max-depth", "0"}),
                local = json("homage", "40,30", {"--method", "local"});
@@ -195,6 +206,8 @@ TEST_F(Inspect, AWrongRequestEndsWithCodeTwoAndOneLine) {
                                                     {},
                                                     {"--pixel", "1,1", "--sample", "-1"},
                                                     {"--pixel", "1,1", "--format", "xml"},
+                                                    {"--pixel", "1,1", "--least-weight", "2"},
+                                                    {"--pixel", "1,1", "--least-weight", "nan"},
                                                     {"--pixel", "1,1", "--width", "0"}}) {
         std::vector<std::string> all = {"inspect", "homage"};
         all.insert(all.end(), options.begin(), options.end());

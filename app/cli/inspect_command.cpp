@@ -43,8 +43,15 @@ Inspected inspect(const InspectOptions& options) {
     return result;
 }
 
-std::string told(const Inspected& inspected, InspectFormat format) {
-    switch (format) {
+std::string svgOf(const Inspected& inspected, float leastWeight) {
+    TreeFilter filter;
+    filter.leastWeight = leastWeight;
+    return svgOf(diagramOf(inspected.trace, *inspected.world->scene, filter), inspected.title(),
+                 inspected.settings.display, false);
+}
+
+std::string told(const Inspected& inspected, const InspectOptions& options) {
+    switch (options.format) {
     case InspectFormat::Text:
         return textOf(inspected);
     case InspectFormat::Json:
@@ -52,8 +59,7 @@ std::string told(const Inspected& inspected, InspectFormat format) {
     case InspectFormat::Csv:
         return csvOf(inspected);
     case InspectFormat::Svg:
-        return svgOf(diagramOf(inspected.trace, *inspected.world->scene, {}), inspected.title(),
-                     inspected.settings.display, false);
+        return svgOf(inspected, options.leastWeight);
     }
     return {};
 }
@@ -67,7 +73,7 @@ std::string Inspected::title() const {
 
 int run(const InspectOptions& options) {
     if (options.output) checkFolder(*options.output);
-    const std::string text = told(inspect(options), options.format);
+    const std::string text = told(inspect(options), options);
     if (options.output) {
         writeFileAtomically(*options.output, std::as_bytes(std::span(text)));
         return 0;

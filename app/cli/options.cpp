@@ -164,6 +164,15 @@ std::variant<Options, int> parseCommandLine(int argc, const char* const* argv) {
                                                                           {"csv", InspectFormat::Csv},
                                                                           {"svg", InspectFormat::Svg}}))
         ->type_name("NAME");
+    inspecting
+        ->add_option_function<std::string>(
+            "--least-weight",
+            [&inspect](const std::string& value) {
+                const Command command("inspect", {{"least-weight", value}});
+                inspect.leastWeight = static_cast<float>(*command.number("least-weight", 0, 1));
+            },
+            "svg: leave out rays that weigh less than this")
+        ->type_name("W");
     inspecting->add_option("-o,--output", inspected, "file to write; else standard output")
         ->type_name("FILE");
     addPicture(*inspecting, inspect.picture);

@@ -49,6 +49,7 @@ struct InspectOptions {
     PixelPosition pixel;
     int sample = 0;
     InspectFormat format = InspectFormat::Text;
+    float leastWeight = 0;                       // of the rays in the SVG's tree
     std::optional<std::filesystem::path> output; // else standard output
 };
 

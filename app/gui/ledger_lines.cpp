@@ -37,6 +37,12 @@ int rayOf(const LedgerNode& node, const SampleRecord& record) {
     return shadowRay >= 0 ? shadowRay : node.ray;
 }
 
+/// What stands beside a term.
+struct Remark {
+    std::string text;
+    ImVec4 color;
+};
+
 class Lines {
 public:
     Lines(const Widgets& ui, bool wide)
@@ -53,14 +59,16 @@ private:
     /// What it all adds up to, and what it would.
     void results() {
         const Color sum = evaluate(study_.ledger());
-        const auto sample = fmt::format("sample {}", ui_.viewer.picked()->sample);
-        const bool same = sum == ui_.viewer.picked()->trace.radiance;
-        result(sample, sum, same, same ? "the sum is the film's value, bit for bit" : "not the film's value",
+        result(fmt::format("sample {}", ui_.viewer.picked()->sample), sum,
+               sum == ui_.viewer.picked()->trace.radiance
+                   ? Remark{"the sum is the film's value, bit for bit", doneColor(ui_.dark)}
+                   : Remark{"the sum is not the film's value", errorColor(ui_.dark)},
                "ledger total");
         // always there, so that nothing moves under the pointer that strikes out
         const bool whole = study_.strikes().empty();
-        result("with what is struck out", evaluate(study_.ledger(), study_.strikes()), true,
-               whole ? "untick a term: what if it were not there?" : "", "ledger struck");
+        result("with what is struck out", evaluate(study_.ledger(), study_.strikes()),
+               {whole ? "nothing yet: untick a term" : "", ImGui::GetStyle().Colors[ImGuiCol_TextDisabled]},
+               "ledger struck");
         if (whole) return;
         ImGui::TableSetColumnIndex(wide_ ? 1 : 0);
         ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {ImGui::GetStyle().FramePadding.x, 0});
@@ -74,30 +82,31 @@ private:
     void mean() {
         const int samples = study_.mean().samples(), passes = study_.film().passes;
         if (samples == 0) return;
-        const bool whole = samples == passes, right = study_.mean().value() == study_.film().mean;
+        Remark remark;
+        if (samples == passes)
+            remark = study_.mean().value() == study_.film().mean
+                         ? Remark{"the film's pixel, bit for bit", doneColor(ui_.dark)}
+                         : Remark{"not the film's pixel", errorColor(ui_.dark)};
         result(fmt::format("mean of {} of {} sample{}", samples, passes, passes == 1 ? "" : "s"),
-               study_.mean().value(), right,
-               !whole ? "" : (right ? "the film's pixel, bit for bit" : "not the film's pixel"),
-               "ledger mean");
+               study_.mean().value(), remark, "ledger mean");
     }
 
-    void result(const std::string& what, const Color& value, bool good, const std::string& verdict,
-                const char* name) {
+    void result(const std::string& what, const Color& value, const Remark& remark, const char* name) {
         ImGui::TableNextRow();
         ImGui::TableNextColumn();
         ImGui::TextUnformatted(what.c_str());
-        beside(verdict, good ? doneColor(ui_.dark) : errorColor(ui_.dark));
+        beside(remark);
         ImGui::TableNextColumn();
         colorCell(value);
         ui_.mark(name);
     }
 
     /// In the column for numbers, or below the term where there is none.
-    void beside(const std::string& text, const ImVec4& color) const {
+    void beside(const Remark& remark) const {
         if (wide_) ImGui::TableNextColumn();
-        if (text.empty()) return;
-        ImGui::PushStyleColor(ImGuiCol_Text, color);
-        ImGui::TextUnformatted(wrapped(text, ImGui::GetContentRegionAvail().x).c_str());
+        if (remark.text.empty()) return;
+        ImGui::PushStyleColor(ImGuiCol_Text, remark.color);
+        ImGui::TextUnformatted(wrapped(remark.text, ImGui::GetContentRegionAvail().x).c_str());
         ImGui::PopStyleColor();
     }
 
@@ -130,7 +139,7 @@ private:
         check(line.node, struck);
         const bool open = term(line, level, struck);
         if (node.operation == LedgerNode::Operation::Product)
-            beside(text_.numbers(line.node), ImGui::GetStyle().Colors[ImGuiCol_Text]);
+            beside({text_.numbers(line.node), ImGui::GetStyle().Colors[ImGuiCol_Text]});
         ImGui::TableSetColumnIndex(wide_ ? 2 : 1);
         colorCell(valueOf(study_.ledger(), line.node, study_.strikes()));
         return open;

@@ -70,8 +70,9 @@ std::string number(const Color& c) {
 }
 
 void collect(const Ledger& ledger, int node, std::vector<LedgerLine>& lines) {
-    const bool factor = ledger.at(node).operation == LedgerNode::Operation::Product;
-    for (const int operand : ledger.operandsOf(node)) {
+    const std::vector<int> operands = ledger.operandsOf(node);
+    const bool factor = ledger.at(node).operation == LedgerNode::Operation::Product && operands.size() > 1;
+    for (const int operand : operands) {
         if (isParenthesis(ledger.at(operand).term))
             collect(ledger, operand, lines);
         else

@@ -15,7 +15,7 @@ constexpr float kNodeWidth = 12.5F, kTallNode = 2.9F, kFlatNode = 1.6F;
 constexpr float kEdgeLength = 4.2F; // room for its weight
 constexpr float kGap = 0.55F;       // between nodes above each other
 constexpr float kAbove = 0.35F;     // of a label above the line that it stands on
-constexpr std::size_t kMostLetters = 17;
+constexpr std::size_t kMostLetters = 18;
 
 /// At most kMostLetters letters of UTF-8 text.
 std::string shortened(const std::string& text) {
