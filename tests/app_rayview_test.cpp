@@ -357,7 +357,7 @@ TEST(RayView, LayoutNeverLeavesAViewTooSmallAndFillsTheMiddle) {
 }
 
 TEST(RayView, IsLeftOutOfAVerySmallWindow) {
-    ExplainingScreen screen("homage", 320, 240);
+    const ExplainingScreen screen("homage", 320, 240);
     EXPECT_EQ(screen.gui.widgets().count("rays in space"), 0U);
     EXPECT_EQ(screen.viewer.notices().size(), 0U);
 }

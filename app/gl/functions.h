@@ -90,7 +90,6 @@ public:
     const PFNGLUNIFORM2FPROC uniform2f = load("glUniform2f");
     const PFNGLUNIFORM1FPROC uniform1f = load("glUniform1f");
     const PFNGLUNIFORM3FPROC uniform3f = load("glUniform3f");
-    const PFNGLUNIFORM4FPROC uniform4f = load("glUniform4f");
     const PFNGLUNIFORM4FVPROC uniform4fv = load("glUniform4fv");
     const PFNGLUNIFORMMATRIX3FVPROC uniformMatrix3fv = load("glUniformMatrix3fv");
     const PFNGLUNIFORMMATRIX4FVPROC uniformMatrix4fv = load("glUniformMatrix4fv");

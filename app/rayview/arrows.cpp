@@ -45,6 +45,7 @@ std::vector<Arrow> arrowsOf(const SampleRecord& record, const World& world, int 
 std::vector<Arrow> weightiest(std::vector<Arrow> arrows, std::size_t most, int kept) {
     if (arrows.size() <= most) return arrows;
     std::vector<float> weights;
+    weights.reserve(arrows.size());
     for (const Arrow& arrow : arrows) weights.push_back(arrow.weight);
     const auto least = weights.begin() + static_cast<std::ptrdiff_t>(most);
     std::nth_element(weights.begin(), least, weights.end(), std::greater<>());

@@ -29,8 +29,8 @@ template <class Piece>
 void eachDash(const std::vector<float>& dashes, float from, float to, const Piece& piece) {
     const float period = std::accumulate(dashes.begin(), dashes.end(), 0.0F);
     if (!(period > 0)) return piece(from, to);
-    for (float start = std::floor(from / period) * period; start < to; start += period) {
-        float at = start;
+    for (int n = static_cast<int>(from / period); static_cast<float>(n) * period < to; ++n) {
+        float at = static_cast<float>(n) * period;
         for (std::size_t i = 0; i + 1 < dashes.size(); i += 2) {
             const float lo = std::max(from, at), hi = std::min(to, at + dashes[i]);
             if (hi > lo) piece(lo, hi);

@@ -37,6 +37,7 @@ double radiusOf(const Scene& scene, const Object& object) {
 /// Segments around each object's shape: larger ones have more, and all together stay drawable.
 std::vector<int> segmentsOf(const Scene& scene) {
     std::vector<double> radii;
+    radii.reserve(scene.objects.size());
     for (const Object& object : scene.objects) radii.push_back(radiusOf(scene, object));
     const double sum = std::accumulate(radii.begin(), radii.end(), 0.0);
     std::vector<int> segments;
