@@ -98,6 +98,18 @@ TEST(Ledger, AnUnblockedShadowRayGivesThePixelOfTheSceneWithoutItsBlocker) {
     EXPECT_TRUE(sameBits(evaluate(ledger, {&unblocked, 1}), bright));
 }
 
+TEST(Ledger, AnUnblockedShadowRayStruckOutIsBlocked) {
+    Scene scene = floorFromAbove();
+    scene.lights = {taughtLampAt({2, 3, 0})};
+    const Ledger ledger = ledgerOf(Tracing(scene).retrace());
+    const int visibility = nodeOf(ledger, Term::Visibility), lamp = nodeOf(ledger, Term::Lamp);
+    const Strike blocked = strikeOf(ledger, visibility);
+    EXPECT_EQ(blocked, (Strike{visibility, Color(0)}));
+    EXPECT_EQ(valueOf(ledger, lamp, {&blocked, 1}), Color(0));
+    EXPECT_GT(valueOf(ledger, lamp, {}).r, 0);
+    EXPECT_EQ(evaluate(ledger, {&blocked, 1}), ledger.at(nodeOf(ledger, Term::Ambient)).value);
+}
+
 TEST(Ledger, ALampStruckOutGivesThePixelWithoutTheLamp) {
     Scene both = floorFromAbove();
     both.lights = {taughtLampAt({2, 3, 0}), taughtLampAt({-2, 3, 1})};

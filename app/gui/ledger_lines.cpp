@@ -47,7 +47,8 @@ class Lines {
 public:
     Lines(const Widgets& ui, bool wide)
         : ui_(ui), wide_(wide), study_(ui.viewer.study()), record_(ui.viewer.picked()->trace),
-          text_{study_.ledger(), record_, *ui.viewer.document().scene, study_.settings().notation} {}
+          scene_(ui.viewer.document().scene),
+          text_{study_.ledger(), record_, *scene_, study_.settings().notation} {}
 
     void draw() {
         results();
@@ -205,6 +206,7 @@ private:
     const bool wide_;
     const PixelStudy& study_;
     const SampleRecord& record_;
+    const std::shared_ptr<const Scene> scene_; // kept while a line changes it
     const LedgerText text_;
 };
 

@@ -45,7 +45,7 @@ void ledgerView(const Widgets& ui) {
     chooseSample(ui);
     ImGui::SameLine(0, 2 * ImGui::GetFontSize());
     chooseNotation(ui);
-    ledgerLines(ui);
+    if (picked) ledgerLines(ui); // another sample may not be there yet
 }
 
 }

@@ -8,19 +8,18 @@ namespace eyeray {
 namespace {
 
 template <class Items>
-std::string nameOf(const Items& items, int index, std::string_view noun, std::string_view otherwise) {
+std::string nameOf(const Items& items, int index, std::string_view noun) {
     const auto i = static_cast<std::size_t>(index);
-    if (index < 0 || i >= items.size()) return std::string(otherwise);
-    return items[i].name.empty() ? fmt::format("{} {}", noun, index) : items[i].name;
+    return i < items.size() && !items[i].name.empty() ? items[i].name : fmt::format("{} {}", noun, index);
 }
 
 }
 
 std::string objectName(const Scene& scene, int object) {
-    return nameOf(scene.objects, object, "object", "the surface of a lamp");
+    return object < 0 ? "the surface of a lamp" : nameOf(scene.objects, object, "object");
 }
 
-std::string lampName(const Scene& scene, int light) { return nameOf(scene.lights, light, "lamp", "a lamp"); }
+std::string lampName(const Scene& scene, int light) { return nameOf(scene.lights, light, "lamp"); }
 
 std::string meeting(const Scene& scene, const RayRecord& ray) {
     switch (ray.end) {

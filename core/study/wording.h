@@ -10,8 +10,8 @@
 
 namespace eyeray {
 
-/// Names of parts of the scene; of an index that is not there: "the surface of a lamp", "a lamp". A record
-/// may be of the scene before an edit, until the picture of the new one is there.
+/// Names of parts of the scene, by their number if they have none or are not there: a record may be of the
+/// scene before an edit, until the picture of the new one is there. Object −1 is "the surface of a lamp".
 std::string objectName(const Scene&, int object);
 std::string lampName(const Scene&, int light);
 
