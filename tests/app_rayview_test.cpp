@@ -362,6 +362,14 @@ TEST(RayView, IsLeftOutOfAVerySmallWindow) {
     EXPECT_EQ(screen.viewer.notices().size(), 0U);
 }
 
+TEST(RayView, IsRememberedBetweenTwoStarts) {
+    const TemporaryFolder folder;
+    Preferences preferences;
+    preferences.explain = true;
+    savePreferences(preferences, folder / "preferences");
+    EXPECT_EQ(loadPreferences(folder / "preferences"), preferences);
+}
+
 TEST(RayView, KeyEShowsAndHidesItAndThePickedPixelStaysOnItsObject) {
     Screen screen("homage", 1100, 760);
     screen.click(screen.place(screen.pixelOf(kMirrorBall)));

@@ -66,7 +66,7 @@ void windowScreenshot(Gui& gui, const Command& command) {
 }
 
 void rayviewScreenshot(Gui& gui, const Command& command) {
-    constexpr int kSmallest = 64, kLargest = 8192;
+    constexpr int kSmallest = 64, kLargest = 4096;
     command.allowOnly({"file", "width", "height"});
     const auto file = command.find("file");
     std::optional<PictureSize> size;

@@ -59,7 +59,7 @@ PictureSize sizeForFile(PictureSize pane) {
 }
 
 bool drawable(const Widgets& ui, const PictureView& picture) {
-    return ui.viewer.hasScene() && ui.viewer.world() && !picture.shown().empty();
+    return ui.viewer.hasScene() && ui.viewer.shownWorld() && !picture.shown().empty();
 }
 
 struct Stand {
@@ -113,7 +113,7 @@ void RayPane::execute(const Command& command) {
     const auto show = command.choice("show", kShownRaysNames);
     const auto step = command.integer("step", 1, kMaxPictureSide);
     const auto labels = command.flag("labels");
-    const auto yaw = command.number("yaw", -360, 360), pitch = command.number("pitch", -180, 180);
+    const auto yaw = command.number("yaw", -36000, 36000), pitch = command.number("pitch", -36000, 36000);
     const auto right = command.number("right", -1e9, 1e9), up = command.number("up", -1e9, 1e9);
     const auto dolly = command.number("dolly", 0.01, 100);
     OutsideView& outside = view_.outside();
@@ -200,7 +200,7 @@ void RayPane::toolbar(const Widgets& ui) const {
 
 RayViewContent RayPane::content(const Widgets& ui, const PictureView& picture) {
     const Viewer& viewer = ui.viewer;
-    RayViewContent content{.world = viewer.world(),
+    RayViewContent content{.world = viewer.shownWorld(),
                            .camera = viewer.document().camera,
                            .picture = &picture.texture(),
                            .pictureVersion = picture.version(),

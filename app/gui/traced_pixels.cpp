@@ -48,7 +48,7 @@ void TracedPixels::update(Viewer& viewer, ShownRays show, int step) {
     const PictureSize size = viewer.pictureSize();
     const auto& picked = viewer.picked();
     const PixelPosition pixel = picked ? picked->pixel : PixelPosition{size.width / 2, size.height / 2};
-    TracedFor now{.world = viewer.world(),
+    TracedFor now{.world = viewer.shownWorld(),
                   .camera = viewer.document().camera,
                   .trace = viewer.document().render.trace,
                   .width = size.width,

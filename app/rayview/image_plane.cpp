@@ -50,7 +50,9 @@ ImagePlane imagePlaneOf(const Camera& camera, const DVec3& origin, double aspect
     ImagePlane plane;
     plane.eye = camera.eye - origin;
     plane.half = imagePlaneHalfExtents(camera.verticalFov, aspect);
-    plane.scale = std::clamp(1.0, kNearestShare * nearest, kFarthestShare * nearest);
+    constexpr double kLeast = 1e-6; // metres: an eye may stand on its target
+    const double ahead = std::max(nearest, kLeast);
+    plane.scale = std::clamp(1.0, kNearestShare * ahead, kFarthestShare * ahead);
     const DVec3 middle = plane.eye - plane.scale * axes.backward;
     const DVec3 right = plane.scale * plane.half.x * axes.right, up = plane.scale * plane.half.y * axes.up;
     plane.corners = {middle - right + up, middle + right + up, middle + right - up, middle - right - up};

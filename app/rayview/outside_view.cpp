@@ -31,7 +31,8 @@ void OutsideView::update(const Camera& picture, double aspect) {
     if (placed_ && stand_ != OutsideStand::Follow) return;
     placed_ = true;
     const CameraAxes axes = axesOf(picture);
-    const double distance = picture.distance();
+    constexpr double kLeast = 1e-6; // metres: an eye may stand on its target
+    const double distance = std::max(picture.distance(), kLeast);
     camera_ = {};
     camera_.verticalFov = kFov;
     if (stand_ == OutsideStand::Follow) {

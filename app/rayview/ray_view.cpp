@@ -22,9 +22,6 @@ Projection projectionFor(const World& world, const Camera& outside, int width, i
         height,  kNearest * distance, toMiddle + distance + kFarthest * static_cast<double>(world.radius)};
 }
 
-/// How far the scene lies before the picture's eye, about: to what the picked ray hits, else to the target.
-double distanceAhead(const RayViewContent& content) { return std::max(content.camera.distance(), 1e-6); }
-
 }
 
 RayView::RayView(const Gl& gl) : gl_(gl), meshes_(gl), painter_(gl), quad_(gl) {}
@@ -34,7 +31,7 @@ void RayView::draw(const RayViewContent& content, int width, int height, const R
     outside_.update(content.camera, static_cast<double>(width) / height);
     const double aspect = static_cast<double>(content.pictureWidth) / content.pictureHeight;
     const ImagePlane plane =
-        imagePlaneOf(content.camera, content.world->origin, aspect, distanceAhead(content));
+        imagePlaneOf(content.camera, content.world->origin, aspect, content.camera.distance());
     const bool redrawn = drawScene(content, width, height, backdrop);
     if (redrawn || drawnPicture_ != content.pictureVersion || drawnCamera_ != content.camera) {
         drawPlane(content, plane);
@@ -53,9 +50,9 @@ bool RayView::drawScene(const RayViewContent& content, int width, int height, co
     if (sized && samples <= samplesPerPixel_ && drawnWorld_ == content.world &&
         drawnOutside_ == outside_.camera() && drawnBackdrop_ == backdrop)
         return false;
+    if (!sized) shown_.emplace(gl_, width, height, Framebuffer::Depth::With);
     if (!sized || samples != samplesPerPixel_)
         scene_.emplace(gl_, width, height, std::vector<GLenum>{GL_RGBA8}, samples);
-    if (!sized) shown_.emplace(gl_, width, height, Framebuffer::Depth::With);
     samplesPerPixel_ = samples;
     meshes_.update(content.world);
     projection_.emplace(projectionFor(*content.world, outside_.camera(), width, height));

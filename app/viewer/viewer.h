@@ -80,6 +80,9 @@ public:
     bool building() const { return building_.running(); }
     std::shared_ptr<const World> world() const { return world_; }
     RenderSession& session() { return *session_; }
+    /// What the picture that is shown, and hence the picked sample, is of: after an edit the former World for
+    /// a moment. Null if there is no picture.
+    std::shared_ptr<const World> shownWorld() const { return session_->shownWorld(); }
     RenderStatus status() const { return session_->status(); }
     bool paused() const { return paused_; }
     const std::optional<PickedSample>& picked() const { return picked_; }

@@ -166,6 +166,11 @@ std::optional<FilmPixel> RenderSession::pixel(int x, int y) const {
     return job ? std::optional(job->film->pixel(x, y)) : std::nullopt;
 }
 
+std::shared_ptr<const World> RenderSession::shownWorld() const {
+    const std::scoped_lock lock(mutex_);
+    return shown_ ? shown_->context->world : nullptr;
+}
+
 std::optional<Retrace> RenderSession::retrace(int x, int y, int pass) const {
     const auto job = shownAt(x, y);
     if (!job) return std::nullopt;

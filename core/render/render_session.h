@@ -71,6 +71,9 @@ public:
     /// Brings `picture` up to date; returns the tiles that changed.
     std::vector<Tile> read(Picture& picture) const;
 
+    /// What the picture that read() shows is of; null if there is none.
+    std::shared_ptr<const World> shownWorld() const;
+
     /// Mean of the whole passes; empty if there is none.
     ColorImage image() const;
 
