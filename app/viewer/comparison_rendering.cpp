@@ -12,24 +12,15 @@ constexpr int kNeverBySamples = 1 << 30;
 
 int following(int samples) { return samples < kEvenStep ? 2 * samples : samples + kEvenStep; }
 
-/// `there` may be of the picture before, in another size.
-std::optional<PictureChange> changeBetween(const RenderSession& here, const RenderSession& there,
-                                           const DisplaySettings& display,
-                                           const DisplaySettings& otherDisplay) {
-    const ColorImage ours = here.image(), theirs = there.image();
-    if (ours.width() != theirs.width() || ours.height() != theirs.height()) return std::nullopt;
-    PictureChange change;
-    change.samples = here.status().samples;
+void compare(PictureChange& change, const ColorImage& ours, const DisplaySettings& display,
+             const ColorImage& theirs, const DisplaySettings& otherDisplay) {
     change.pixels = ours.values().size();
     change.changed =
         countDifferingPixels(eyeray::display(ours, display), eyeray::display(theirs, otherDisplay));
-    change.here = here.status().counts;
-    change.there = there.status().counts;
     change.difference = ColorImage(ours.width(), ours.height());
     std::transform(ours.values().begin(), ours.values().end(), theirs.values().begin(),
                    change.difference.values().begin(),
                    [](const Color& a, const Color& b) { return glm::abs(a - b); });
-    return change;
 }
 
 }
@@ -40,6 +31,7 @@ void ComparisonRendering::start(std::shared_ptr<const World> world, const Camera
     threads_ = threads;
     mostSamples_ = mostSamples;
     active_ = true;
+    measuring_.cancel();
     change_.reset();
     setPaused(paused_);
     hold(here, 1);
@@ -50,6 +42,7 @@ void ComparisonRendering::start(std::shared_ptr<const World> world, const Camera
 void ComparisonRendering::stop(RenderSession& here) {
     here.holdAt(0);
     active_ = false;
+    measuring_.cancel();
     change_.reset();
     if (session_) session_->stop();
 }
@@ -70,18 +63,36 @@ bool ComparisonRendering::update(RenderSession& here, const DisplaySettings& dis
     if (!active_) return false;
     const RenderStatus ours = here.status(), theirs = session_->status();
     const bool finished = ours.phase == RenderStatus::Phase::Finished;
+    if (auto measured = measuring_.take()) {
+        change_ = std::move(measured);
+        active_ = !finished && target_ < mostSamples_;
+        if (active_) hold(here, std::min(following(target_), mostSamples_));
+        if (!active_) here.holdAt(0);
+        return true;
+    }
     if (finished && ours.samples < target_) hold(here, ours.samples); // its time was up
-    const bool apart = finished && theirs.samples > ours.samples;
-    if (ours.samples != target_ || theirs.samples != target_) {
-        active_ = !apart && ours.phase != RenderStatus::Phase::Failed &&
-                  theirs.phase != RenderStatus::Phase::Failed;
+    if (ours.samples == target_ && theirs.samples == target_) {
+        if (!measuring_.running()) measure(here, display, otherDisplay);
         return false;
     }
-    change_ = changeBetween(here, *session_, display, otherDisplay);
-    active_ = !finished && target_ < mostSamples_;
-    hold(here, active_ ? std::min(following(target_), mostSamples_) : target_);
-    if (!active_) here.holdAt(0);
-    return change_.has_value();
+    const bool apart = finished && theirs.samples > ours.samples;
+    active_ =
+        !apart && ours.phase != RenderStatus::Phase::Failed && theirs.phase != RenderStatus::Phase::Failed;
+    return false;
+}
+
+/// Takes both pictures as they are while they are held, and compares them in the background.
+void ComparisonRendering::measure(const RenderSession& here, const DisplaySettings& display,
+                                  const DisplaySettings& otherDisplay) {
+    PictureChange change;
+    change.samples = target_;
+    change.here = here.status().counts;
+    change.there = session_->status().counts;
+    measuring_.start([change, ours = here.image(), theirs = session_->image(), display,
+                      otherDisplay](const std::stop_token&) mutable {
+        compare(change, ours, display, theirs, otherDisplay);
+        return std::move(change);
+    });
 }
 
 }

@@ -4,6 +4,7 @@
 #include <memory>
 #include <optional>
 
+#include "app/viewer/background_job.h"
 #include "core/render/render_session.h"
 
 namespace eyeray {
@@ -32,7 +33,7 @@ public:
     /// Leads both sides on; true for each new change(). They are compared as displayed.
     bool update(RenderSession& here, const DisplaySettings& display, const DisplaySettings& otherDisplay);
 
-    /// True until both have as many samples as this side needs, or the most.
+    /// True until both have been compared with as many samples as this side needs, or the most.
     bool active() const { return active_; }
     /// Null before the first comparison.
     const RenderSession* session() const { return session_.get(); }
@@ -40,11 +41,14 @@ public:
 
 private:
     void hold(RenderSession& here, int samples);
+    void measure(const RenderSession& here, const DisplaySettings& display,
+                 const DisplaySettings& otherDisplay);
 
     std::unique_ptr<RenderSession> session_;
     int threads_ = 0, mostSamples_ = 0;
     int target_ = 0; // samples that both are led to
     bool active_ = false, paused_ = false;
+    BackgroundJob<PictureChange> measuring_;
     std::optional<PictureChange> change_;
 };
 
