@@ -74,16 +74,19 @@ TEST(LayerPicture, ANormalIsShownAsHalfPlusHalfOfItAndNoHitAsBlack) {
 }
 
 TEST(LayerPicture, DepthRunsFromTheNearestInWhiteAndItsBackgroundIsBlack) {
-    const LayerImage image = imageOf(Quantity::Depth, {2, 6, 10, kInfinity});
+    const LayerImage image = imageOf(Quantity::Depth, {2, 8, 32, kInfinity});
     const LayerRange range = rangeOf(image);
     EXPECT_EQ(range.lowest, 2);
-    EXPECT_EQ(range.highest, 10);
+    EXPECT_EQ(range.highest, 32);
+    EXPECT_NEAR(placeIn(range, Quantity::Depth, 8), 0.5, 1e-12) << "equal ratios are equal steps";
+    EXPECT_NEAR(valueAt(range, Quantity::Depth, 0.75), 16, 1e-12);
+    EXPECT_NEAR(valueAt(range, Quantity::Rays, 0.5), 17, 1e-12);
     const ByteImage shown = displayLayer(image, range, {});
     EXPECT_EQ(shown.at(0, 0), depthColor(0));
     EXPECT_EQ(shown.at(1, 0), depthColor(0.5));
     EXPECT_EQ(shown.at(2, 0), depthColor(1));
     EXPECT_EQ(shown.at(3, 0), (Rgba8{0, 0, 0}));
-    EXPECT_NE(rangeText(image, range).find("2 m (white) to 10 m"), std::string::npos);
+    EXPECT_NE(rangeText(image, range).find("2 m (white) to 32 m"), std::string::npos);
 }
 
 TEST(LayerPicture, AFewOutliersDoNotDarkenAHeatMapAndTheRangeSaysSo) {

@@ -27,7 +27,7 @@ constexpr std::array kPresets = {Preset{"rasterised by OpenGL", Comparison::kRas
                                  Preset{"cutoff 0.05", "cutoff=0.05"}};
 
 void presets(const Widgets& ui, const Comparison& comparison) {
-    ImGui::SetNextItemWidth(-1);
+    labelled("Left side");
     const bool open = ImGui::BeginCombo("##with", comparison.with.c_str());
     ui.mark("compare with");
     ui.tooltip("settings of the other side, which stands on the left");
@@ -43,7 +43,7 @@ void presets(const Widgets& ui, const Comparison& comparison) {
 void anySettings(const Widgets& ui, const Comparison& comparison) {
     std::array<char, 200> text{};
     comparison.with.copy(text.data(), text.size() - 1);
-    ImGui::SetNextItemWidth(-1);
+    labelled("Settings of it");
     if (ImGui::InputText("##settings", text.data(), text.size(), ImGuiInputTextFlags_EnterReturnsTrue))
         ui.execute({"compare", {{"with", text.data()}}}, {});
     ui.mark("compare settings");

@@ -1,7 +1,5 @@
 #include <array>
 
-#include <fmt/format.h>
-
 #include "app/gui/panels.h"
 #include "core/study/layer_picture.h"
 
@@ -17,8 +15,8 @@ constexpr std::array kAccelLabels = {"auto"sv, "brute force"sv, "BVH"sv};
 /// Which layer of the picture is shown.
 void layerChoice(const Widgets& ui) {
     const Layer shown = shownLayer(ui.viewer.document());
-    ImGui::SetNextItemWidth(-1);
-    const bool open = ImGui::BeginCombo("##layer", fmt::format("layer: {}", shown.name).c_str());
+    labelled("Layer");
+    const bool open = ImGui::BeginCombo("##layer", shown.name.c_str());
     ui.mark("layer");
     ui.tooltip(aboutLayer(shown));
     if (!open) return;

@@ -15,8 +15,8 @@ constexpr std::size_t kMostObjects = 8; // in a legend
 
 ImU32 toImColor(const Rgba8& c) { return IM_COL32(c.r, c.g, c.b, 255); }
 
-/// Round numbers in a range, from two to six of them.
-std::vector<double> ticksIn(const LayerRange& range) {
+/// Round numbers in a range: from two to six of them.
+std::vector<double> linearTicks(const LayerRange& range) {
     const double span = range.highest - range.lowest;
     const double power = std::pow(10.0, std::floor(std::log10(span)));
     double step = power;
@@ -25,7 +25,19 @@ std::vector<double> ticksIn(const LayerRange& range) {
     std::vector<double> ticks;
     for (double tick = std::ceil(range.lowest / step) * step; tick <= range.highest + 1e-9 * span;
          tick += step)
-        ticks.push_back(std::fabs(tick) < 1e-9 * span ? 0 : tick);
+        ticks.push_back(tick);
+    return ticks;
+}
+
+/// 1, 2 and 5 in each power of ten; over more than two powers, 1 alone.
+std::vector<double> logarithmicTicks(const LayerRange& range) {
+    std::vector<double> ticks;
+    const bool wide = range.highest > 100 * range.lowest;
+    for (double power = std::pow(10.0, std::floor(std::log10(range.lowest))); power <= range.highest;
+         power *= 10)
+        for (const double digit : {1.0, 2.0, 5.0})
+            if (digit * power >= range.lowest && digit * power <= range.highest && (digit == 1 || !wide))
+                ticks.push_back(digit * power);
     return ticks;
 }
 
@@ -73,15 +85,18 @@ void LayerView::legend(const Widgets& ui, const LegendPlace& place) const {
         ImGui::TextDisabled("%d of %d samples", image_.samples, ui.viewer.layers().samplesInAll());
         ImGui::TextWrapped("%s", aboutLayer(image_.layer).c_str());
         if (hasRange(quantity)) colorBar(std::min(ImGui::GetFontSize() * 22, place.width * 0.7F));
-        if (quantity == Quantity::Object) objects(*ui.viewer.document().scene);
+        if (quantity == Quantity::Object) objects(*ui.viewer.document().scene, place.height);
     });
 }
 
-void LayerView::objects(const Scene& scene) const {
-    for (std::size_t i = 0; i < std::min(objects_.size(), kMostObjects); ++i)
+void LayerView::objects(const Scene& scene, float height) const {
+    const float lines = 0.5F * height / ImGui::GetTextLineHeightWithSpacing() - 3; // beside these
+    const auto shown =
+        std::min({objects_.size(), kMostObjects, static_cast<std::size_t>(std::max(1.0F, lines))});
+    for (std::size_t i = 0; i < shown; ++i)
         swatch(objectColor(objects_[i]), fmt::format("{} {}", objects_[i], objectName(scene, objects_[i])));
-    if (objects_.size() > kMostObjects)
-        ImGui::TextDisabled("and %d more", static_cast<int>(objects_.size() - kMostObjects));
+    if (objects_.size() > shown)
+        ImGui::TextDisabled("and %d more", static_cast<int>(objects_.size() - shown));
 }
 
 void LayerView::colorBar(float width) const {
@@ -90,20 +105,20 @@ void LayerView::colorBar(float width) const {
     const ImVec2 start = ImGui::GetCursorScreenPos();
     const float left = start.x + side, length = width - 2.5F * side;
     ImDrawList& list = *ImGui::GetWindowDrawList();
-    const double span = range_.highest - range_.lowest;
     const int steps = static_cast<int>(length);
     for (int i = 0; i < steps; ++i) {
-        const double value = range_.lowest + span * (i + 0.5) / steps;
         const float x = left + static_cast<float>(i);
+        const double value = valueAt(range_, quantity, (i + 0.5) / steps);
         list.AddRectFilled({x, start.y}, {x + 1, start.y + letter},
                            toImColor(rangeColor(quantity, value, range_)));
     }
     const ImU32 ink = ImGui::GetColorU32(ImGuiCol_Text);
     list.AddRect({left - 1, start.y - 1}, {left + static_cast<float>(steps) + 1, start.y + letter + 1},
                  ImGui::GetColorU32(ImGuiCol_TextDisabled));
-    for (const double tick : ticksIn(range_)) {
-        const float x = left + static_cast<float>((tick - range_.lowest) / span) * length;
-        const std::string text = fmt::format("{:g}", tick);
+    const bool depth = quantity == Quantity::Depth;
+    for (const double tick : depth ? logarithmicTicks(range_) : linearTicks(range_)) {
+        const float x = left + static_cast<float>(placeIn(range_, quantity, tick)) * length;
+        const std::string text = fmt::format("{:.4g}", tick);
         list.AddLine({x, start.y + letter}, {x, start.y + 1.3F * letter}, ink);
         list.AddText({x - ImGui::CalcTextSize(text.c_str()).x / 2, start.y + 1.3F * letter}, ink,
                      text.c_str());

@@ -26,7 +26,7 @@ public:
 
 private:
     void countObjects();
-    void objects(const Scene&) const;
+    void objects(const Scene&, float height) const;
     void colorBar(float width) const;
 
     GlTexture texture_;

@@ -8,10 +8,10 @@
 
 namespace eyeray {
 
-/// Where legends stand: the lower left corner of the picture, and how wide they may be.
+/// Where legends stand: the lower left corner of the picture, and its size.
 struct LegendPlace {
     ImVec2 corner;
-    float width;
+    float width, height;
 };
 
 /// A pane that takes no clicks, as large as what `content` draws.

@@ -74,7 +74,7 @@ void PictureView::refresh(const Widgets& ui) {
 
 void PictureView::image(const Widgets& ui, ImVec2 corner, ImVec2 size, bool other) const {
     const ImVec2 opposite{corner.x + size.x, corner.y + size.y};
-    const LegendPlace place{{corner.x, opposite.y}, size.x};
+    const LegendPlace place{{corner.x, opposite.y}, size.x, size.y};
     ImDrawList& list = *ImGui::GetWindowDrawList();
     const bool compares = ui.viewer.hasScene() && ui.viewer.document().comparison.on;
     const bool layered = layer_.showing() && !compares && !other && !rasterised_;

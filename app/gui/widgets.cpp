@@ -11,17 +11,6 @@ namespace {
 
 constexpr float kLabelShare = 0.42F; // of a panel's width
 
-/// Label on the left, widget to the right of it over the rest of the panel.
-void labelled(const char* label) {
-    const float width = ImGui::GetContentRegionAvail().x;
-    ImGui::AlignTextToFramePadding();
-    ImGui::TextUnformatted(label);
-    ImGui::SameLine(
-        std::max(width * kLabelShare, ImGui::CalcTextSize(label).x + ImGui::GetStyle().ItemSpacing.x) +
-        ImGui::GetStyle().WindowPadding.x);
-    ImGui::SetNextItemWidth(-1);
-}
-
 ImGuiSliderFlags sliderFlags(bool logarithmic) {
     return ImGuiSliderFlags_AlwaysClamp | (logarithmic ? ImGuiSliderFlags_Logarithmic : 0);
 }
@@ -156,6 +145,16 @@ void Widgets::partPosition(const Command& command, const char* label, const char
     tooltip("drag, or double-click to type; metres");
     if (changed) part(command, key, toText(DVec3(edited)), true);
     if (ImGui::IsItemDeactivated()) viewer.endGesture();
+}
+
+void labelled(const char* label) {
+    const float width = ImGui::GetContentRegionAvail().x;
+    ImGui::AlignTextToFramePadding();
+    ImGui::TextUnformatted(label);
+    ImGui::SameLine(
+        std::max(width * kLabelShare, ImGui::CalcTextSize(label).x + ImGui::GetStyle().ItemSpacing.x) +
+        ImGui::GetStyle().WindowPadding.x);
+    ImGui::SetNextItemWidth(-1);
 }
 
 bool panelHeading(const Widgets& ui, const char* label, bool openAtFirst) {

@@ -54,6 +54,9 @@ private:
     void run(const Command&, const std::string& gesture) const;
 };
 
+/// Label on the left, the next widget to the right of it over the rest of the panel.
+void labelled(const char* label);
+
 /// A heading that opens and closes a panel; true if it is open.
 bool panelHeading(const Widgets&, const char* label, bool openAtFirst = true);
 

@@ -10,6 +10,7 @@ namespace eyeray {
 namespace {
 
 constexpr std::size_t kAboveRange = 200; // one pixel in so many may lie above
+constexpr float kNearest = 1e-6F;        // metres, for a logarithm
 
 Rgba8 normalColor(const Color& normal) {
     if (isBlack(normal)) return {};
@@ -69,7 +70,7 @@ LayerRange rangeOf(const LayerImage& image) {
     const Quantity quantity = image.layer.quantity;
     const bool toTheHighest = quantity == Quantity::Recursion || quantity == Quantity::Samples;
     const auto [nearest, farthest] = std::minmax_element(values.begin(), values.end());
-    LayerRange range{quantity == Quantity::Depth ? *nearest : 0, *farthest};
+    LayerRange range{quantity == Quantity::Depth ? std::max(*nearest, kNearest) : 0, *farthest};
     if (!toTheHighest) {
         const auto most = values.end() - 1 - static_cast<std::ptrdiff_t>(values.size() / kAboveRange);
         std::nth_element(values.begin(), most, values.end());
@@ -80,10 +81,21 @@ LayerRange rangeOf(const LayerImage& image) {
     return range;
 }
 
+double placeIn(const LayerRange& range, Quantity quantity, double value) {
+    if (quantity == Quantity::Depth)
+        return std::log(value / range.lowest) / std::log(range.highest / range.lowest);
+    return (value - range.lowest) / (range.highest - range.lowest);
+}
+
+double valueAt(const LayerRange& range, Quantity quantity, double place) {
+    if (quantity == Quantity::Depth) return range.lowest * std::pow(range.highest / range.lowest, place);
+    return range.lowest + (range.highest - range.lowest) * place;
+}
+
 Rgba8 rangeColor(Quantity quantity, double value, const LayerRange& range) {
     if (!std::isfinite(value)) return {};
-    const double t = (value - range.lowest) / (range.highest - range.lowest);
-    return quantity == Quantity::Depth ? depthColor(t) : heatColor(t);
+    const double place = placeIn(range, quantity, value);
+    return quantity == Quantity::Depth ? depthColor(place) : heatColor(place);
 }
 
 ByteImage displayLayer(const LayerImage& image, const LayerRange& range, const DisplaySettings& settings) {
@@ -137,10 +149,10 @@ std::string rangeText(const LayerImage& image, const LayerRange& range) {
     const Quantity quantity = image.layer.quantity;
     if (!hasRange(quantity)) return {};
     const bool depth = quantity == Quantity::Depth;
-    return fmt::format("{}: {} from {} ({}) to {} ({}){}", image.layer.name, aboutLayer(image.layer),
+    return fmt::format("{}: {} from {} ({}) to {} ({}){}{}", image.layer.name, aboutLayer(image.layer),
                        valueText(quantity, range.lowest), depth ? "white" : "dark blue",
                        valueText(quantity, range.highest), depth ? "dark grey" : "light yellow",
-                       range.cut ? ", a few pixels beyond" : "");
+                       depth ? ", logarithmic" : "", range.cut ? ", a few pixels beyond" : "");
 }
 
 std::vector<ImageChannel> channelsOf(const LayerImage& image) {

@@ -22,6 +22,12 @@ bool hasRange(Quantity);
 /// stay below; of recursion and samples to the highest.
 LayerRange rangeOf(const LayerImage&);
 
+/// Where in the range a value stands, from 0 to 1 in it: linear, of a depth logarithmic, for near the horizon
+/// depth has no end.
+double placeIn(const LayerRange&, Quantity, double value);
+/// The value at a place, the inverse.
+double valueAt(const LayerRange&, Quantity, double place);
+
 /// Colour of a value of a layer that hasRange.
 Rgba8 rangeColor(Quantity, double value, const LayerRange&);
 
