@@ -160,7 +160,7 @@ RenderJob prepare(const RenderOptions& options) {
 /// Renders the picture itself; nothing is written if it is broken off before its first sample is whole.
 std::optional<RenderStatus> renderPicture(RenderJob& job, const RenderOptions& options) {
     RenderSession session(job.document.threads);
-    const RenderStatus status = render(session, job, showsProgress(options));
+    RenderStatus status = render(session, job, showsProgress(options));
     const ColorImage image = session.image();
     if (image.empty()) return std::nullopt;
     meterExposure(job, image);

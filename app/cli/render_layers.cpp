@@ -82,6 +82,7 @@ std::optional<RenderStatus> renderLayers(RenderJob& job, const RenderOptions& op
     if (status.samples < 1) return std::nullopt;
 
     std::vector<LayerImage> images;
+    images.reserve(layers.size());
     for (std::size_t i = 0; i < layers.size(); ++i) images.push_back(film.image(i));
     meterExposure(job, meters ? film.image(layers.size()).values : images.front().values);
     if (wantsAll(options)) {

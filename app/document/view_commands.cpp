@@ -42,9 +42,9 @@ void compare(Document& document, const Command& command) {
     comparison.split = command.number("split", 0, 1).value_or(comparison.split);
     comparison.gain = command.number("gain", 1, 1000).value_or(comparison.gain);
     comparison.difference = command.flag("difference").value_or(comparison.difference);
-    const bool started = command.find("with") || command.find("difference");
-    comparison.on = command.flag("on").value_or(
-        started || (command.arguments().empty() ? !comparison.on : comparison.on));
+    const bool started = command.find("with") || command.flag("difference").value_or(false);
+    const bool toggled = command.arguments().empty() != comparison.on;
+    comparison.on = command.flag("on").value_or(started || toggled);
 }
 
 constexpr std::array kCommands = {

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <array>
 
 #include <fmt/format.h>
@@ -27,8 +28,11 @@ constexpr std::array kPresets = {Preset{"rasterised by OpenGL", Comparison::kRas
                                  Preset{"cutoff 0.05", "cutoff=0.05"}};
 
 void presets(const Widgets& ui, const Comparison& comparison) {
+    const auto* const chosen = std::find_if(kPresets.begin(), kPresets.end(), [&](const Preset& preset) {
+        return comparison.with == preset.with;
+    });
     labelled("Left side");
-    const bool open = ImGui::BeginCombo("##with", comparison.with.c_str());
+    const bool open = ImGui::BeginCombo("##with", chosen != kPresets.end() ? chosen->label : "as below");
     ui.mark("compare with");
     ui.tooltip("settings of the other side, which stands on the left");
     if (!open) return;
@@ -43,7 +47,7 @@ void presets(const Widgets& ui, const Comparison& comparison) {
 void anySettings(const Widgets& ui, const Comparison& comparison) {
     std::array<char, 200> text{};
     comparison.with.copy(text.data(), text.size() - 1);
-    labelled("Settings of it");
+    labelled("Its settings");
     if (ImGui::InputText("##settings", text.data(), text.size(), ImGuiInputTextFlags_EnterReturnsTrue))
         ui.execute({"compare", {{"with", text.data()}}}, {});
     ui.mark("compare settings");

@@ -23,9 +23,9 @@ std::vector<double> linearTicks(const LayerRange& range) {
     for (const double finer : {0.5, 0.2})
         if (span / step < 3) step = power * finer;
     std::vector<double> ticks;
-    for (double tick = std::ceil(range.lowest / step) * step; tick <= range.highest + 1e-9 * span;
-         tick += step)
-        ticks.push_back(tick);
+    const auto first = std::lround(std::ceil(range.lowest / step));
+    const auto last = std::lround(std::floor(range.highest / step + 1e-9));
+    for (auto i = first; i <= last; ++i) ticks.push_back(static_cast<double>(i) * step);
     return ticks;
 }
 
@@ -33,11 +33,12 @@ std::vector<double> linearTicks(const LayerRange& range) {
 std::vector<double> logarithmicTicks(const LayerRange& range) {
     std::vector<double> ticks;
     const bool wide = range.highest > 100 * range.lowest;
-    for (double power = std::pow(10.0, std::floor(std::log10(range.lowest))); power <= range.highest;
-         power *= 10)
-        for (const double digit : {1.0, 2.0, 5.0})
-            if (digit * power >= range.lowest && digit * power <= range.highest && (digit == 1 || !wide))
-                ticks.push_back(digit * power);
+    const auto powerBelow = [](double value) { return std::lround(std::floor(std::log10(value))); };
+    for (auto power = powerBelow(range.lowest); power <= powerBelow(range.highest); ++power)
+        for (const double digit : {1.0, 2.0, 5.0}) {
+            const double tick = digit * std::pow(10.0, power);
+            if (tick >= range.lowest && tick <= range.highest && (digit == 1 || !wide)) ticks.push_back(tick);
+        }
     return ticks;
 }
 
@@ -72,9 +73,9 @@ void LayerView::countObjects() {
     objects_.resize(pixels.size());
     std::iota(objects_.begin(), objects_.end(), 0);
     std::erase_if(objects_, [&](int i) { return pixels[static_cast<std::size_t>(i)] == 0; });
-    std::stable_sort(objects_.begin(), objects_.end(), [&](int a, int b) {
-        return pixels[static_cast<std::size_t>(a)] > pixels[static_cast<std::size_t>(b)];
-    });
+    const auto size = [&](int i) { return pixels[static_cast<std::size_t>(i)]; };
+    std::sort(objects_.begin(), objects_.end(),
+              [&](int a, int b) { return std::pair(size(b), a) < std::pair(size(a), b); });
 }
 
 void LayerView::legend(const Widgets& ui, const LegendPlace& place) const {

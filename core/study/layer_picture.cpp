@@ -159,6 +159,7 @@ std::vector<ImageChannel> channelsOf(const LayerImage& image) {
     const Quantity quantity = image.layer.quantity;
     const std::string_view names = channelNames(quantity);
     std::vector<ImageChannel> channels;
+    channels.reserve(names.size());
     for (std::size_t i = 0; i < names.size(); ++i)
         channels.push_back({quantity == Quantity::Picture ? std::string(1, names[i])
                                                           : fmt::format("{}.{}", image.layer.name, names[i]),
