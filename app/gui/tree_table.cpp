@@ -19,8 +19,9 @@ void firstCell(const Widgets& ui, const TreeDiagram& diagram, const DiagramNode&
     const float indent = 0.8F * ImGui::GetFontSize() * static_cast<float>(levelOf(diagram, node));
     ImGui::SetCursorPosX(ImGui::GetCursorPosX() + indent);
     ImGui::PushStyleColor(ImGuiCol_Text, colorOf(node.kind, ui.dark));
+    ImGui::PushStyleColor(ImGuiCol_Header, ImGui::GetStyle().Colors[ImGuiCol_FrameBgActive]);
     const bool clicked = ImGui::Selectable(label.c_str(), selected, ImGuiSelectableFlags_SpanAllColumns);
-    ImGui::PopStyleColor();
+    ImGui::PopStyleColor(2);
     if (node.traced) ui.mark("row " + std::to_string(node.ray));
     if (clicked) selectRay(ui, node.ray);
 }

@@ -81,10 +81,11 @@ void treeView(const Widgets& ui) {
     if (picked->trace.rays.empty()) return dimmedText("no ray was traced for this sample");
     controls(ui);
     const float letter = ImGui::GetFontSize(), width = ImGui::GetContentRegionAvail().x;
-    const bool details = width > (kDetailsWidth + kLeastDiagram) * letter;
+    const bool table = ui.viewer.study().settings().table; // which has the details in its columns
+    const bool details = !table && width > (kDetailsWidth + kLeastDiagram) * letter;
     ImGui::BeginChild("tree", {details ? width - kDetailsWidth * letter : 0, 0}, false,
                       ImGuiWindowFlags_HorizontalScrollbar);
-    ui.viewer.study().settings().table ? treeTable(ui) : treeDiagram(ui);
+    table ? treeTable(ui) : treeDiagram(ui);
     ImGui::EndChild();
     if (!details) return;
     ImGui::SameLine();

@@ -31,7 +31,7 @@ struct DiagramNode {
     bool traced = true;
     bool faint = false;        // blocked, or not traced
     std::string title, detail; // lines; detail may be empty
-    std::string edge{};        // weight, as text on the edge to it
+    std::string edge;          // weight, as text on the edge to it
     Color radiance{0};         // what the ray brings
     int hidden = 0;            // rays and untraced rays that hang on it and are left out
     float x = 0, y = 0, width = 0, height = 0;
