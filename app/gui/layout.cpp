@@ -7,7 +7,7 @@ namespace eyeray {
 namespace {
 
 constexpr float kLeastWidth = 13, kLeastHeight = 11; // of the rays in space, in letters' heights
-constexpr float kLeastWords = 9;                     // height of the words
+constexpr float kLeastWords = 11;                    // height of the words
 constexpr float kWordsShare = 0.4F;                  // of the height
 
 Area part(const Area& area, float x0, float y0, float x1, float y1) {
