@@ -121,8 +121,8 @@ std::vector<float> readChannel(std::span<const std::byte> bytes, const std::stri
     Imf::InputFile file(stream, 0);
     if (!file.header().channels().findChannel(name)) throw std::runtime_error("no channel " + name);
     const Imath::Box2i window = file.header().dataWindow();
-    const auto width = static_cast<std::size_t>(window.max.x + 1),
-               height = static_cast<std::size_t>(window.max.y + 1);
+    const auto width = static_cast<std::size_t>(window.max.x) + 1,
+               height = static_cast<std::size_t>(window.max.y) + 1;
     std::vector<float> values(width * height);
     Imf::FrameBuffer frame;
     frame.insert(name, Imf::Slice(Imf::FLOAT, reinterpret_cast<char*>(values.data()), sizeof(float),

@@ -193,6 +193,7 @@ TEST(PictureLayers, TheErrorIsTheStandardErrorOfTheLuminance) {
     constexpr int kPasses = 6;
     const ColorImage error = layerOf(tracing, "error", kPasses);
     std::vector<std::vector<Color>> passes;
+    passes.reserve(kPasses);
     for (int pass = 0; pass < kPasses; ++pass) passes.push_back(tracing.radiance(pass));
     double largest = 0;
     for (std::size_t i = 0; i < error.values().size(); ++i) {
@@ -234,7 +235,7 @@ TEST(PictureLayers, CostIsTimeThatPassesAndSamplesAreCounted) {
 }
 
 TEST(PictureLayers, AStopLeavesThePassUncounted) {
-    std::stop_source stop;
+    const std::stop_source stop;
     const auto world = buildWorld(std::make_shared<const Scene>(twoLamps()), {});
     const Tracing tracing(world, toDepth(5), kWidth, kHeight, stop.get_token());
     LayerFilm film({layerNamed("color", *world->scene)}, kWidth, kHeight);
