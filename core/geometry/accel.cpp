@@ -36,7 +36,7 @@ bool visitHits(const IndexedGeometry<Index>& geometry, const Ray& ray, RayMask m
         const Instance<Index>& instance = geometry.instances[id];
         return sees(mask, instance.mask) && visitHits(instance, id, ray, limit, offer);
     };
-    for (const std::uint32_t id : geometry.unbounded)
+    for (const std::uint32_t id : geometry.always)
         if (inInstance(id)) return true;
     return geometry.top.visit(ray, limit,
                               [&](std::uint32_t slot) { return inInstance(geometry.top.entries()[slot]); });

@@ -38,7 +38,7 @@ struct IndexedMesh {
 /// One placed object.
 template <class Index>
 struct Instance {
-    Placement placement;
+    Placement placement{};
     std::variant<Shape, std::shared_ptr<const IndexedMesh<Index>>> geometry;
     RayMask mask = RayMask::Opaque;
 };
@@ -46,10 +46,10 @@ struct Instance {
 template <class Index>
 struct IndexedGeometry {
     std::vector<Instance<Index>> instances;
-    Index top;                            // over the bounded instances
-    std::vector<std::uint32_t> unbounded; // infinite planes: tested by every ray
-    std::size_t primitives = 0;           // triangles and shapes, instances counted each
-    std::size_t nodes = 0, bytes = 0;     // of the indices, meshes counted once
+    Index top;                         // over the bounded instances, if there are several
+    std::vector<std::uint32_t> always; // tested by every ray: infinite planes, and a single bounded instance
+    std::size_t primitives = 0;        // triangles and shapes, instances counted each
+    std::size_t nodes = 0, bytes = 0;  // of the indices, meshes counted once
 };
 
 using Accel = std::variant<IndexedGeometry<BruteForce>, IndexedGeometry<Bvh2>, IndexedGeometry<Bvh8>>;

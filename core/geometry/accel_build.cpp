@@ -58,11 +58,13 @@ template <class Index>
 IndexedGeometry<Index> indexInstances(std::vector<Instance<Index>> instances, const std::stop_token& stop) {
     IndexedGeometry<Index> result;
     std::vector<Bounds> boxes;
+    std::vector<std::uint32_t> bounded;
     std::unordered_set<const IndexedMesh<Index>*> counted;
     for (std::uint32_t i = 0; i < instances.size(); ++i) {
-        if (unbounded(instances[i])) result.unbounded.push_back(i);
+        if (unbounded(instances[i])) result.always.push_back(i);
         boxes.push_back(
             instances[i].placement.worldBounds(std::visit(ObjectBounds<Index>{}, instances[i].geometry)));
+        if (boxes.back().finite() && !boxes.back().empty()) bounded.push_back(i);
         const auto* mesh = std::get_if<1>(&instances[i].geometry);
         result.primitives += mesh != nullptr ? (*mesh)->index.size() : 1;
         if (mesh == nullptr || !counted.insert(mesh->get()).second) continue;
@@ -70,7 +72,10 @@ IndexedGeometry<Index> indexInstances(std::vector<Instance<Index>> instances, co
         result.bytes += (*mesh)->index.bytes() + (*mesh)->triangles.bytes();
     }
     result.instances = std::move(instances);
-    result.top = Index(boxes, kInstancesPerLeaf, stop);
+    if (bounded.size() == 1)
+        result.always.push_back(bounded.front());
+    else
+        result.top = Index(boxes, kInstancesPerLeaf, stop);
     result.nodes += result.top.nodeCount();
     result.bytes += result.top.bytes();
     return result;

@@ -49,7 +49,7 @@ bool visitHits(const IndexedGeometry<Bvh8>& geometry, const Ray& ray, RayMask ma
         }
         return visitMesh(**std::get_if<1>(&instance.geometry), local, limit, offerHere);
     };
-    for (const std::uint32_t id : geometry.unbounded)
+    for (const std::uint32_t id : geometry.always)
         if (inInstance(id)) return true;
     return traverse(geometry.top, ray, limit, [&](std::uint32_t first, std::uint32_t count) {
         for (std::uint32_t slot = first; slot < first + count; ++slot)

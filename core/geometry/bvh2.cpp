@@ -116,9 +116,9 @@ std::size_t medianSplit(std::span<Item> items, const Bounds& centers) {
 }
 
 // How many items go left, or 0 for a leaf. Reorders the items.
-std::size_t partition(std::span<Item> items, const Bounds& box, int leafSize, int depth) {
+std::size_t partition(std::span<Item> items, const Bounds& box, int leafSize, int atOnce, int depth) {
     const bool mayBeLeaf = items.size() <= static_cast<std::size_t>(leafSize);
-    if (items.size() == 1) return 0;
+    if (items.size() <= static_cast<std::size_t>(atOnce)) return 0; // no split costs less than that one test
     Bounds centers;
     for (const Item& item : items) centers.add(item.center());
     if (depth >= kMaxAreaDepth) return mayBeLeaf ? 0 : medianSplit(items, centers);
@@ -137,7 +137,7 @@ std::size_t partition(std::span<Item> items, const Bounds& box, int leafSize, in
 
 }
 
-Bvh2::Bvh2(std::span<const Bounds> boxes, int leafSize, const std::stop_token& stop) {
+Bvh2::Bvh2(std::span<const Bounds> boxes, int leafSize, const std::stop_token& stop, int atOnce) {
     std::vector<Item> items;
     items.reserve(boxes.size());
     for (std::uint32_t i = 0; i < boxes.size(); ++i) {
@@ -162,7 +162,7 @@ Bvh2::Bvh2(std::span<const Bounds> boxes, int leafSize, const std::stop_token& s
         for (const Item& item : range) box.add(item.box);
         Node& node = nodes_[task.node];
         node.corners = {{{box.lo.x, box.lo.y, box.lo.z}, {box.hi.x, box.hi.y, box.hi.z}}};
-        const std::size_t left = partition(range, box, leafSize, task.depth);
+        const std::size_t left = partition(range, box, leafSize, atOnce, task.depth);
         if (left == 0) {
             node.first = task.begin;
             node.count = task.end - task.begin;

@@ -29,9 +29,9 @@ public:
     static_assert(sizeof(Node) == 32);
 
     Bvh2() = default;
-    /// Takes the boxes that are finite and not empty; leaves hold up to `leafSize`. Empty if `stop` was
-    /// requested.
-    Bvh2(std::span<const Bounds> boxes, int leafSize, const std::stop_token& stop);
+    /// Takes the boxes that are finite and not empty; leaves hold up to `leafSize`. `atOnce`: how many
+    /// entries one test takes. Empty if `stop` was requested.
+    Bvh2(std::span<const Bounds> boxes, int leafSize, const std::stop_token& stop, int atOnce = 1);
 
     /// Calls test(slot) for the entries whose boxes the ray may meet at t in [tMin, limit], roughly from near
     /// to far, until it returns true; whether it did. `limit` may shrink meanwhile.

@@ -93,7 +93,7 @@ private:
 
 Bvh8::Bvh8(std::span<const Bounds> boxes, int leafSize, const std::stop_token& stop) {
     ENSURE(leafSize >= 1 && leafSize <= static_cast<int>(kWidth));
-    const Bvh2 binary(boxes, leafSize, stop);
+    const Bvh2 binary(boxes, leafSize, stop, leafSize);
     if (binary.nodes().empty()) return;
     bounds_ = boundsOf(binary.nodes().front());
     size_ = binary.size();

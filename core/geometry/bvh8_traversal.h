@@ -51,26 +51,32 @@ inline std::uint32_t enterChildren(const Bvh8::Node& node, const RaySlab& slab, 
 }
 
 /// Which triangles of a block the ray may meet, a bit each: those that intersectCorners does not rule out by
-/// the signs of their areas in float. The same operations, hence the same answer.
+/// the signs of their areas in float, by the same operations, and that are not behind the origin with all
+/// corners.
 inline std::uint32_t mayMeet(const TriangleBlock& block, const RayShear& shear) {
     const Floats d;
     std::uint32_t kept = 0;
     for (std::size_t lane = 0; lane < Bvh8::kWidth; lane += hn::Lanes(d)) {
-        const auto sheared = [&](std::size_t corner, std::size_t axis, float slope) {
-            const auto relative = [&](std::size_t k) {
-                return hn::Sub(hn::Load(d, &block.corners[corner][k][lane]), hn::Set(d, shear.origin[k]));
-            };
-            return hn::Sub(relative(axis), hn::Mul(hn::Set(d, slope), relative(shear.kz)));
+        const auto relative = [&](std::size_t corner, std::size_t k) {
+            return hn::Sub(hn::Load(d, &block.corners[corner][k][lane]), hn::Set(d, shear.origin[k]));
         };
-        const auto ax = sheared(0, shear.kx, shear.sx), ay = sheared(0, shear.ky, shear.sy);
-        const auto bx = sheared(1, shear.kx, shear.sx), by = sheared(1, shear.ky, shear.sy);
-        const auto cx = sheared(2, shear.kx, shear.sx), cy = sheared(2, shear.ky, shear.sy);
+        const auto az = relative(0, shear.kz), bz = relative(1, shear.kz), cz = relative(2, shear.kz);
+        const auto sx = hn::Set(d, shear.sx), sy = hn::Set(d, shear.sy);
+        const auto ax = hn::Sub(relative(0, shear.kx), hn::Mul(sx, az));
+        const auto bx = hn::Sub(relative(1, shear.kx), hn::Mul(sx, bz));
+        const auto cx = hn::Sub(relative(2, shear.kx), hn::Mul(sx, cz));
+        const auto ay = hn::Sub(relative(0, shear.ky), hn::Mul(sy, az));
+        const auto by = hn::Sub(relative(1, shear.ky), hn::Mul(sy, bz));
+        const auto cy = hn::Sub(relative(2, shear.ky), hn::Mul(sy, cz));
         const auto u = hn::Sub(hn::Mul(cx, by), hn::Mul(cy, bx));
         const auto v = hn::Sub(hn::Mul(ax, cy), hn::Mul(ay, cx));
         const auto w = hn::Sub(hn::Mul(bx, ay), hn::Mul(by, ax));
         const auto zero = hn::Zero(d);
-        const auto missed =
+        const auto beside =
             hn::And(hn::Lt(hn::Min(u, hn::Min(v, w)), zero), hn::Gt(hn::Max(u, hn::Max(v, w)), zero));
+        const auto behind = shear.direction[shear.kz] > 0 ? hn::Lt(hn::Max(az, hn::Max(bz, cz)), zero)
+                                                          : hn::Gt(hn::Min(az, hn::Min(bz, cz)), zero);
+        const auto missed = hn::Or(beside, behind);
         std::uint8_t bits[8] = {};
         hn::StoreMaskBits(d, hn::Not(missed), bits);
         kept |= static_cast<std::uint32_t>(bits[0]) << lane;

@@ -17,12 +17,12 @@ double edge(const Vec2& p, const Vec2& q) {
 double meetsPlane(const TriangleCorners& corners, const DVec3& normal, const RayShear& shear) {
     const DVec3 toCorner = toDouble(corners[0]) - toDouble(shear.origin);
     const double t = glm::dot(normal, toCorner) / glm::dot(normal, toDouble(shear.direction));
-    const auto along = [&](std::size_t corner) {
-        return (static_cast<double>(corners[corner][shear.kz]) - shear.origin[shear.kz]) /
-               shear.direction[shear.kz];
+    const auto ahead = [&](std::size_t corner) {
+        return static_cast<double>(corners[corner][shear.kz]) - shear.origin[shear.kz];
     };
-    const auto [first, last] = std::minmax({along(0), along(1), along(2)});
-    return std::min(std::max(first, t), last);
+    const double a = ahead(0), b = ahead(1), c = ahead(2), along = shear.direction[shear.kz];
+    const double first = std::min(a, std::min(b, c)) / along, last = std::max(a, std::max(b, c)) / along;
+    return along > 0 ? std::min(std::max(first, t), last) : std::min(std::max(last, t), first);
 }
 
 }
@@ -51,7 +51,8 @@ std::optional<Hit> detail::finishTriangle(const TriangleCorners& corners, const 
     if (normal == DVec3(0)) return {};
     const float t = static_cast<float>(meetsPlane(corners, normal, shear));
     if (!(t > tMin && t < tMax)) return {};
-    return Hit{.t = t, .u = static_cast<float>(v / sum), .v = static_cast<float>(w / sum)};
+    const double share = 1 / sum;
+    return Hit{.t = t, .u = static_cast<float>(v * share), .v = static_cast<float>(w * share)};
 }
 
 }
