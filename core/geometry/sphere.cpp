@@ -9,9 +9,10 @@ Passage passThrough(const Sphere& sphere, const Ray& ray) {
     const double radius = sphere.radius;
     const DVec3 o(ray.origin), d(ray.direction);
     const double a = glm::dot(d, d), b = glm::dot(o, d);
-    // By the ray's distance from the centre, not b² − ac: that cancels far from the sphere.
-    const DVec3 nearest = o - (b / a) * d;
-    const double discriminant = a * (radius * radius - glm::dot(nearest, nearest));
+    // By the ray's distance from the centre, not b² − ac: that cancels far from the sphere. The products of
+    // floats are exact in double.
+    const DVec3 aside = glm::cross(o, d);
+    const double discriminant = a * (radius * radius) - glm::dot(aside, aside);
     if (!(discriminant >= 0 && radius > 0)) return kNoPassage;
     const Roots roots = quadraticRoots(a, b, glm::dot(o, o) - radius * radius, discriminant);
     return {{roots.lower, 0}, {roots.upper, 0}};
