@@ -38,7 +38,7 @@ struct IndexedMesh {
 /// One placed object.
 template <class Index>
 struct Instance {
-    Placement placement{};
+    Placement placement;
     std::variant<Shape, std::shared_ptr<const IndexedMesh<Index>>> geometry;
     RayMask mask = RayMask::Opaque;
 };

@@ -37,8 +37,9 @@ struct Tracer {
 template <class Index>
 Tracer ours(std::string name, const TestMesh& test) {
     auto scene = std::make_shared<IndexedGeometry<Index>>();
-    const double seconds = secondsOf(
-        [&] { *scene = indexInstances<Index>({{.geometry = indexMesh<Index>(test.mesh, {})}}, {}); });
+    const double seconds = secondsOf([&] {
+        *scene = indexInstances<Index>({{.placement = {}, .geometry = indexMesh<Index>(test.mesh, {})}}, {});
+    });
     const auto trace = [scene](const RayKindSet& set, Answers& answers) {
         for (std::size_t i = 0; i < set.rays.size(); ++i) {
             if (set.anyHit) {

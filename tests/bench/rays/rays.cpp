@@ -83,7 +83,8 @@ std::vector<TestMesh> testMeshes() {
 }
 
 std::vector<RayKindSet> raysFor(const TestMesh& test) {
-    const auto scene = indexInstances<Bvh2>({{.geometry = indexMesh<Bvh2>(test.mesh, {})}}, {});
+    const auto scene =
+        indexInstances<Bvh2>({{.placement = {}, .geometry = indexMesh<Bvh2>(test.mesh, {})}}, {});
     const Vec3 lamp(test.eye + DVec3(3, 5, -2));
     std::mt19937 engine(2);
     RayKindSet eye{"eye", false, eyeRays(test)}, shadow{"shadow", true, {}}, mirror{"mirror", false, {}},
