@@ -67,7 +67,7 @@ private:
         const std::vector<std::uint32_t> parts = opened(root);
         for (std::size_t lane = 0; lane < parts.size(); ++lane) {
             const Bvh2::Node& part = node(parts[lane]);
-            for (std::size_t side : {kLower, kUpper})
+            for (const std::size_t side : {kLower, kUpper})
                 for (std::size_t axis = 0; axis < 3; ++axis)
                     result.corners[side][axis][lane] = part.corners[side][axis];
             if (part.count > 0)

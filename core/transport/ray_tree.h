@@ -25,8 +25,10 @@ Color radianceAlong(SampleState<Index, Recorder>& state, const TreeRay& treeRay,
         transmitted =
             transmittanceOf(world.materials[medium.material].surface.attenuation, hit ? hit->t : kInfinity);
     }
-    int record = -1;
-    if constexpr (Recorder::kOn) record = state.recorder.add(recordOf(world, treeRay, hit, transmitted));
+    const int record = [&] {
+        if constexpr (Recorder::kOn) return state.recorder.add(recordOf(world, treeRay, hit, transmitted));
+        return -1;
+    }();
     Color radiance;
     if (hit) {
         std::optional<Surface> own;
