@@ -175,6 +175,14 @@ TEST(World, CountsPrimitivesOfAllInstances) {
     EXPECT_EQ(tracing.world().accelKind, AccelKind::Bvh8);
 }
 
+TEST(World, OfAFewPrimitivesIsNotIndexed) {
+    Scene scene = underSky(Color(0));
+    for (std::size_t i = 0; i < kBruteForceLimit; ++i) add(scene, Sphere{1}, matte(Color(1)));
+    EXPECT_EQ(Tracing(scene).world().accelKind, AccelKind::Brute);
+    add(scene, Sphere{1}, matte(Color(1)));
+    EXPECT_EQ(Tracing(scene).world().accelKind, AccelKind::Bvh8);
+}
+
 TEST(World, LeavesOutWhatIsInvisibleOrFlat) {
     Scene scene = underSky(Color(1));
     add(scene, Sphere{1}, matte(Color(1)), at({0, 0, -3}));

@@ -18,6 +18,15 @@ const T& at(const std::vector<T>& values, int id) {
     return values[static_cast<std::size_t>(id)];
 }
 
+std::size_t primitivesOf(const Scene& scene) {
+    std::size_t count = 0;
+    for (const Object& object : scene.objects) {
+        const auto* mesh = std::get_if<MeshId>(&object.geometry);
+        count += mesh != nullptr ? at(scene.meshes, mesh->index).triangles->triangles.size() : 1;
+    }
+    return count;
+}
+
 WorldMaterial prepared(const Material& material) {
     const MaterialNeeds needs = needsOf(material.model);
     return {.surface = std::visit([](const auto& model) { return surfaceOf(model); }, material.model),
@@ -197,7 +206,9 @@ std::shared_ptr<const World> buildWorld(const std::shared_ptr<const Scene>& shar
         if (scene.lights[i].enabled && scene.lights[i].intensity > 0)
             world->lights.push_back(prepared(scene.lights[i], static_cast<int>(i), world->origin));
 
-    world->accelKind = settings.accel == AccelKind::Auto ? AccelKind::Bvh8 : settings.accel;
+    world->accelKind = settings.accel;
+    if (settings.accel == AccelKind::Auto)
+        world->accelKind = primitivesOf(scene) <= kBruteForceLimit ? AccelKind::Brute : AccelKind::Bvh8;
     if (world->accelKind == AccelKind::Brute)
         world->accel = index<BruteForce>(scene, *world, previous, stop);
     else if (world->accelKind == AccelKind::Bvh2)

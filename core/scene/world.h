@@ -19,9 +19,12 @@ enum class AccelKind : std::uint8_t { Auto, Brute, Bvh2, Bvh8 };
 inline constexpr std::array<std::string_view, 4> kAccelNames = {"auto", "brute", "bvh2", "bvh8"};
 
 struct BuildSettings {
-    AccelKind accel = AccelKind::Auto; // Auto: the wide BVH
+    AccelKind accel = AccelKind::Auto; // Auto: brute force up to kBruteForceLimit primitives, else Bvh8
     friend bool operator==(const BuildSettings&, const BuildSettings&) = default;
 };
+
+// On homage, of four, brute force takes 0.55 s where Bvh8 takes 0.60 s (1280x720, one sample, one thread).
+inline constexpr std::size_t kBruteForceLimit = 4;
 
 /// A material ready for tracing: its surface, and what has to be read anew at each point, if anything.
 struct WorldMaterial {
