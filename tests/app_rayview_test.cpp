@@ -383,5 +383,40 @@ TEST(RayView, KeyEShowsAndHidesItAndThePickedPixelStaysOnItsObject) {
     }
 }
 
+TEST(Play, ShowsTheRaysOneAfterTheOther) {
+    ExplainingScreen screen;
+    screen.pick(screen.pixelOfManyRays());
+    const auto arrows = [&] { return screen.view().arrows().size(); };
+    const std::size_t all = screen.rays().size();
+    const std::uint64_t traced = screen.viewer.status().counts.total();
+    screen.execute("play to=start");
+    EXPECT_EQ(arrows(), 1U);
+    screen.execute("play to=next");
+    EXPECT_EQ(arrows(), 2U);
+    EXPECT_EQ(screen.viewer.selectedRay(), 1) << "all views mark the ray that has just been traced";
+    screen.execute("play to=back");
+    EXPECT_EQ(arrows(), 1U);
+    screen.settle();
+    screen.click("play to=end");
+    screen.play();
+    EXPECT_EQ(arrows(), all);
+    EXPECT_EQ(screen.viewer.status().counts.total(), traced) << "and nothing was rendered anew";
+    screen.execute("play to=start");
+    screen.pick({3, 3});
+    EXPECT_EQ(arrows(), screen.rays().size()) << "another pixel begins with all its rays";
+}
+
+TEST(Play, OpensItsViewsAndRunsByItself) {
+    Screen screen;
+    screen.gui.execute(Command::parse("pick x=200 y=200"));
+    screen.settle();
+    EXPECT_FALSE(screen.gui.preferences().explain);
+    screen.gui.execute(Command::parse("play run=on"));
+    screen.settle();
+    EXPECT_TRUE(screen.gui.preferences().explain);
+    EXPECT_TRUE(screen.gui.widgets().contains("play to=next"));
+    EXPECT_TRUE(screen.viewer.player().begun());
+}
+
 }
 }

@@ -69,6 +69,10 @@ constexpr std::array kActions = {
     Action{"Compare", "With constant weights at glass", "", "compare with=\"fresnel=constant\""},
 
     Action{"View", "Explain the picked pixel: rays, tree, sum", "E", "explain"},
+    Action{"View", "Play how the pixel is traced", "Y", "play"},
+    Action{"View", "Play: the next ray", ".", "play to=next"},
+    Action{"View", "Play: one ray back", ",", "play to=back"},
+    Action{"View", "Play: the next hit", "Shift+.", "play to=hit"},
     Action{"View", "Brighter", "B", "adjust key=exposure by=0.5"},
     Action{"View", "Darker", "Shift+B", "adjust key=exposure by=-0.5"},
     Action{"View", "Presenter size", "P", "presenter"},

@@ -143,7 +143,7 @@ void Gui::explainingTabs(const Widgets& ui) {
         const char* label;
         void (*draw)(const Widgets&);
     };
-    for (const Tab& tab : {Tab{"Tree", treeView}, Tab{"Sum", ledgerView}}) {
+    for (const Tab& tab : {Tab{"Tree", treeView}, Tab{"Sum", ledgerView}, Tab{"Play", playView}}) {
         const bool wanted = wantedTab_ == tab.label;
         const bool open = ImGui::BeginTabItem(tab.label, nullptr, wanted ? ImGuiTabItemFlags_SetSelected : 0);
         ui.mark(fmt::format("tab {}", tab.label));

@@ -39,8 +39,8 @@ void presenter(Gui& gui, const Command& command) {
 }
 void panels(Gui& gui, const Command& command) { gui.setPanels(wanted(command, gui.preferences().panels)); }
 void tab(Gui& gui, const Command& command) {
-    constexpr std::array kNames = {"tree"sv, "sum"sv};
-    constexpr std::array kLabels = {"Tree"sv, "Sum"sv};
+    constexpr std::array kNames = {"tree"sv, "sum"sv, "play"sv};
+    constexpr std::array kLabels = {"Tree"sv, "Sum"sv, "Play"sv};
     command.allowOnly({"name"});
     command.required("name");
     gui.showTab(kLabels[static_cast<std::size_t>(*command.choice("name", kNames))]);
@@ -77,6 +77,24 @@ void rayviewScreenshot(Gui& gui, const Command& command) {
                            *command.integer("height", kSmallest, kLargest)};
     }
     gui.saveRays(file ? std::filesystem::path(*file) : freeName(picturesFolder(), "eyeray-rays"), size);
+}
+
+/// Whoever plays wants to see it.
+void play(Gui& gui, const Command& command) {
+    command.allowOnly({"to", "run"});
+    Viewer& viewer = gui.viewer();
+    const auto& picked = viewer.picked();
+    if (!picked || picked->trace.rays.empty())
+        throw InputError(command.text(), "there are no rays to play",
+                         "click the picture, or say pick x=320 y=240");
+    if (!gui.preferences().explain || !viewer.player().begun()) gui.showTab("Play");
+    gui.setExplain(true);
+    if (const auto to = command.choice("to", kPlayToNames)) {
+        viewer.runPlay(false);
+        viewer.play(static_cast<PlayTo>(*to));
+    }
+    if (!command.find("to") || command.find("run"))
+        viewer.runPlay(command.flag("run").value_or(!viewer.player().running()));
 }
 
 void deselect(Gui& gui, const Command&) {
@@ -133,7 +151,9 @@ constexpr std::array kCommands = {
                "Moves the outside camera; chooses whose rays are drawn.", rayview},
     GuiCommand{"rasterised", "on=on|off",
                "Shows what OpenGL draws of the scene: no shadows, mirrors or glass.", rasterised},
-    GuiCommand{"tab", "name=tree|sum", "Shows the picked pixel's tree or its sum.", tab},
+    GuiCommand{"tab", "name=tree|sum|play", "Shows the picked pixel's tree, its sum or its playing.", tab},
+    GuiCommand{"play", "to=start|back|next|hit|light|end run=on|off",
+               "Plays how the picked pixel is traced: a step, or by itself.", play},
     GuiCommand{"other", "on=on|off", "Shows the picture in place of a layer, or the other side alone.",
                other},
     GuiCommand{"fullscreen", "on=on|off", "Fills the screen.", fullscreen},

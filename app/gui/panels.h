@@ -15,6 +15,7 @@ void comparePanel(const Widgets&); // the other side of a comparison, and what d
 void pixelPanel(const Widgets&);   // the picked pixel, in short
 void treeView(const Widgets&);     // its rays, as a diagram or a table
 void ledgerView(const Widgets&);   // its colour as a sum
+void playView(const Widgets&);     // its tracing, ray by ray
 void statusBar(const Widgets&);    // progress and counts, one line
 void noticesOverlay(const Widgets&, float right, float top); // what was done or went wrong
 

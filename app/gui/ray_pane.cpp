@@ -213,7 +213,10 @@ RayViewContent RayPane::content(const Widgets& ui, const PictureView& picture) {
                            .labels = labels_};
     if (const auto& picked = viewer.picked()) {
         content.pixel = DVec2(picked->pixel.x, picked->pixel.y);
-        content.samples.push_back(&picked->trace);
+        const int shown = viewer.player().shown(picked->trace);
+        const bool playing = shown < static_cast<int>(picked->trace.rays.size());
+        if (playing) played_ = firstRays(picked->trace, shown);
+        content.samples.push_back(playing ? &played_ : &picked->trace);
         content.selectedRay = viewer.selectedRay();
     }
     for (const Retrace& trace : many_.samples()) content.samples.push_back(&trace);

@@ -46,6 +46,7 @@ private:
     std::string scene_; // whose view it is
 
     TracedPixels many_;
+    SampleRecord played_;        // the rays so far, while a sample is played
     PictureSize size_{960, 720}; // as last seen
     bool dragging_ = false;
 };

@@ -48,7 +48,10 @@ void Viewer::change(Document changed, const std::string& gesture) {
 
 void Viewer::pick(std::optional<PixelPosition> pixel, bool select) {
     Document picked = document();
-    if (picked.pixel != pixel) selectedRay_ = 0;
+    if (picked.pixel != pixel) {
+        selectedRay_ = 0;
+        player_.reset();
+    }
     picked.pixel = pixel;
     history_->replace(std::move(picked));
     traceAgain();
@@ -78,7 +81,18 @@ void Viewer::setStudy(const StudySettings& settings) {
 
 void Viewer::chooseSample(int sample) {
     sample_ = sample;
+    player_.reset();
     traceAgain();
+}
+
+void Viewer::play(PlayTo to) {
+    player_.go(picked_->trace, to);
+    selectedRay_ = player_.shown(picked_->trace) - 1;
+}
+
+void Viewer::runPlay(bool on) {
+    player_.run(picked_->trace, on);
+    selectedRay_ = player_.shown(picked_->trace) - 1;
 }
 
 int Viewer::selectedRay() const {
@@ -123,11 +137,13 @@ bool Viewer::update() {
     const RenderStatus now = session_->status();
     const bool finished = lastPhase_ != now.phase || lastSamples_ != now.samples;
     if (document().pixel && (!picked_ || now.phase != lastPhase_)) traceAgain();
+    const bool played = picked_ && player_.update(picked_->trace);
+    if (played) selectedRay_ = player_.shown(picked_->trace) - 1;
     const bool averaged = picked_ && study_.average(*session_, picked_->pixel);
     lastPhase_ = now.phase;
     lastSamples_ = now.samples;
     return loaded || built || started || metered || compared || layered || finished || averaged ||
-           now.active() || loading() || building();
+           player_.running() || played || now.active() || loading() || building();
 }
 
 void Viewer::openInBackground(const std::string& nameOrPath, std::vector<Command> commands) {

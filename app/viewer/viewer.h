@@ -17,6 +17,7 @@
 #include "app/viewer/comparison_rendering.h"
 #include "app/viewer/layer_rendering.h"
 #include "app/viewer/pixel_study.h"
+#include "app/viewer/player.h"
 #include "core/render/render_session.h"
 
 namespace eyeray {
@@ -89,6 +90,7 @@ public:
     /// Index of the ray of the picked sample that all views mark; 0, the eye ray, if nothing else is
     /// selected.
     int selectedRay() const;
+    const Player& player() const { return player_; }
     /// The picked sample's ledger and tree, as they are looked at. Valid while there is a picked sample.
     const PixelStudy& study() const { return study_; }
     const LayerRendering& layers() const { return layers_; }
@@ -108,6 +110,9 @@ public:
     /// Shows another sample of the picked pixel, from 0.
     void chooseSample(int sample);
     void selectRay(int ray) { selectedRay_ = ray; }
+    /// One step of the playing of the picked sample, or its running; selects the ray that it comes to.
+    void play(PlayTo);
+    void runPlay(bool on);
     void setStudy(const StudySettings&);
     /// Strikes a node of the picked sample's ledger out, or back in.
     void strike(int node, bool out) { study_.strike(node, out); }
@@ -176,6 +181,7 @@ private:
     std::optional<PickedSample> picked_;
     PixelStudy study_;
     int sample_ = 0, selectedRay_ = 0;
+    Player player_;
     std::deque<Notice> notices_;
     RenderStatus::Phase lastPhase_ = RenderStatus::Phase::Idle; // at the last update
     int lastSamples_ = 0;
