@@ -44,7 +44,7 @@ std::vector<double> values(const std::vector<RenderStatus>& all, const Value& va
 }
 
 std::string nameOf(const Case& c) {
-    return fmt::format("{}, {}, {} thread{}{}", c.scene, c.accel == AccelKind::Brute ? "brute" : "bvh2",
+    return fmt::format("{}, {}, {} thread{}{}", c.scene, kAccelNames[static_cast<std::size_t>(c.accel)],
                        c.threads, c.threads == 1 ? "" : "s",
                        c.width == kWidth ? "" : fmt::format(", {}x{}", c.width, c.height));
 }
@@ -59,14 +59,12 @@ void benchPictures() {
                     values(render(homage), [](const RenderStatus& s) { return s.secondsToFirstPass * 1e3; }));
     }
     printHeading("Rays, one sample at 1280x720 unless said", "Mrays/s");
-    const std::vector<Case> cases = {{"homage", AccelKind::Brute, 1},
-                                     {"homage", AccelKind::Brute, 2},
-                                     {"homage", AccelKind::Bvh2, 2},
-                                     {"cornell", AccelKind::Brute, 2},
-                                     {"cornell", AccelKind::Bvh2, 2},
-                                     {"many", AccelKind::Brute, 2, 160, 90}, // 1280x720 would take a minute
-                                     {"many", AccelKind::Bvh2, 2},
-                                     {"terrain", AccelKind::Bvh2, 2}};
+    std::vector<Case> cases = {{"homage", AccelKind::Brute, 1},
+                               {"homage", AccelKind::Brute, 2},
+                               {"cornell", AccelKind::Brute, 2},
+                               {"many", AccelKind::Brute, 2, 160, 90}}; // 1280x720 would take a minute
+    for (const char* scene : {"homage", "cornell", "many", "terrain"})
+        for (const AccelKind accel : {AccelKind::Bvh2, AccelKind::Bvh8}) cases.push_back({scene, accel, 2});
     for (const Case& c : cases)
         printSeries(nameOf(c), values(render(c), [](const RenderStatus& s) { return s.mraysPerSecond(); }));
 }
