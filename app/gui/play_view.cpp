@@ -32,8 +32,11 @@ void buttons(const Widgets& ui) {
     }
 }
 
-/// The lines that the ray goes through stand out.
-void listing(const Widgets& ui, const RayRecord& ray) {
+/// The lines that the ray goes through stand out, and come into sight when it is another one.
+void listing(const Widgets& ui, const RayRecord& ray, int shown) {
+    int* const last = ImGui::GetStateStorage()->GetIntRef(ImGui::GetID("listed"), 0);
+    const bool moved = *last != shown;
+    *last = shown;
     const Method method = ui.viewer.document().render.trace.method;
     const std::vector<std::size_t> marked = linesOf(method, ray);
     const auto code = pseudoCode(method);
@@ -51,6 +54,7 @@ void listing(const Widgets& ui, const RayRecord& ray) {
             at, {at.x + ImGui::GetContentRegionAvail().x, at.y + ImGui::GetTextLineHeight() + 1},
             ImGui::GetColorU32(band), 3 * ui.scale);
         ImGui::TextUnformatted(line.c_str());
+        if (moved) ImGui::SetScrollHereY();
     }
     ImGui::PopStyleVar();
 }
@@ -64,12 +68,13 @@ void playView(const Widgets& ui) {
     buttons(ui);
     const int shown = ui.viewer.player().shown(picked->trace);
     const RayRecord& ray = picked->trace.rays[static_cast<std::size_t>(shown - 1)];
-    ImGui::SameLine(0, ImGui::GetFontSize());
-    ImGui::TextColored(colorOf(ray.kind, ui.dark), "%s",
-                       fmt::format("ray {} of {}: {} ray of depth {}, {}", shown, picked->trace.rays.size(),
-                                   name(ray.kind), ray.depth, meeting(*ui.viewer.document().scene, ray))
-                           .c_str());
-    listing(ui, ray);
+    const std::string text =
+        fmt::format("ray {} of {}: {} ray of depth {}, {}", shown, picked->trace.rays.size(), name(ray.kind),
+                    ray.depth, meeting(*ui.viewer.document().scene, ray));
+    flow(ImGui::CalcTextSize(text.c_str()).x);
+    ImGui::TextColored(colorOf(ray.kind, ui.dark), "%s", text.c_str());
+    if (ImGui::BeginChild("listing")) listing(ui, ray, shown);
+    ImGui::EndChild();
 }
 
 }

@@ -14,7 +14,10 @@ int Player::shown(const SampleRecord& record) const {
     return traced_ ? std::clamp(*traced_, std::min(1, all), all) : all;
 }
 
-void Player::go(const SampleRecord& record, PlayTo to) { traced_ = played(record, shown(record), to); }
+void Player::go(const SampleRecord& record, PlayTo to) {
+    const bool begins = !traced_ && to != PlayTo::Back;
+    traced_ = played(record, shown(record), begins && to != PlayTo::End ? PlayTo::Start : to);
+}
 
 void Player::run(const SampleRecord& record, bool on, Clock::time_point now) {
     running_ = on;

@@ -14,6 +14,7 @@ public:
 
     /// Shows all rays at once again.
     void reset() { traced_.reset(), running_ = false; }
+    /// The first step forward begins with the eye ray.
     void go(const SampleRecord&, PlayTo);
     /// Runs by itself, from the start if it stands at the end; or stands still.
     void run(const SampleRecord&, bool on, Clock::time_point now = Clock::now());
