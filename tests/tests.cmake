@@ -48,14 +48,11 @@ if(EYERAY_BUILD_APP)
   target_link_libraries(eyeray_bench PRIVATE eyeray_app)
   eyeray_compile_options(eyeray_bench)
 
-  # Embree is only a peer to measure against: apt-get install libembree-dev
-  find_package(embree 3 QUIET)
-  if(embree_FOUND)
-    file(GLOB EYERAY_RAYS_BENCHMARK CONFIGURE_DEPENDS tests/bench/rays/*.cpp)
-    add_executable(eyeray_rays_bench EXCLUDE_FROM_ALL ${EYERAY_RAYS_BENCHMARK})
-    target_link_libraries(eyeray_rays_bench PRIVATE eyeray_core embree)
-    eyeray_compile_options(eyeray_rays_bench)
-  endif()
+  find_package(embree 3 REQUIRED) # only a peer to measure against
+  file(GLOB EYERAY_RAYS_BENCHMARK CONFIGURE_DEPENDS tests/bench/rays/*.cpp)
+  add_executable(eyeray_rays_bench EXCLUDE_FROM_ALL ${EYERAY_RAYS_BENCHMARK})
+  target_link_libraries(eyeray_rays_bench PRIVATE eyeray_core embree)
+  eyeray_compile_options(eyeray_rays_bench)
 
   add_test(NAME install_works
     COMMAND ${CMAKE_COMMAND} -DBUILD=${CMAKE_CURRENT_BINARY_DIR} -P ${CMAKE_CURRENT_SOURCE_DIR}/tests/install_test.cmake)

@@ -87,8 +87,8 @@ std::vector<RayKindSet> raysFor(const TestMesh& test) {
         indexInstances<Bvh2>({{.placement = {}, .geometry = indexMesh<Bvh2>(test.mesh, {})}}, {});
     const Vec3 lamp(test.eye + DVec3(3, 5, -2));
     std::mt19937 engine(2);
-    RayKindSet eye{"eye", false, eyeRays(test)}, shadow{"shadow", true, {}}, mirror{"mirror", false, {}},
-        diffuse{"diffuse", false, {}};
+    const RayKindSet eye{"eye", false, eyeRays(test)};
+    RayKindSet shadow{"shadow", true, {}}, mirror{"mirror", false, {}}, diffuse{"diffuse", false, {}};
     for (const Ray& ray : eye.rays) {
         const auto hit = closestHit(scene, ray);
         if (!hit) continue;
