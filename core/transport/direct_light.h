@@ -41,6 +41,7 @@ struct SampleState {
     const IndexedGeometry<Index>& geometry;
     RayCounts& counts;
     Recorder& recorder;
+    SampleAddress address;
     int treeNodes = 0;
 };
 

@@ -10,25 +10,6 @@ float iorOf(const World& world, std::uint32_t instance) {
     return world.materials[world.objects[instance].material].surface.ior;
 }
 
-struct Interface {
-    float eta; // of wo's side / of the other side
-    MediumStack beyond;
-};
-
-Interface interfaceAt(const World& world, const ShadingPoint& p, const MediumStack& media) {
-    if (!p.object->solid) return {iorOf(world, media.top()) / p.surface->ior, media};
-    if (p.front) return {iorOf(world, media.top()) / p.surface->ior, media.entered(p.instance)};
-    const MediumStack beyond = media.left(p.instance);
-    // an eye that stands in an open mesh leaves what it never entered
-    const float inside = media.contains(p.instance) ? iorOf(world, media.top()) : p.surface->ior;
-    return {inside / iorOf(world, beyond.top()), beyond};
-}
-
-Vec3 mirrorDirection(const ShadingPoint& p) {
-    const Vec3 direction = reflected(p.wo, p.normal);
-    return glm::dot(direction, p.geometricNormal) > 0 ? direction : reflected(p.wo, p.geometricNormal);
-}
-
 /// Mirror share at this angle: from normal to grazing incidence as the Fresnel reflectance of the material's
 /// η runs from F0 to 1.
 Color mirrorShare(const Surface& surface, float cosine) {
@@ -66,6 +47,20 @@ void addGlass(const World& world, const TraceSettings& settings, const ShadingPo
     next.refractedMedia = interface.beyond;
 }
 
+}
+
+Interface interfaceAt(const World& world, const ShadingPoint& p, const MediumStack& media) {
+    if (!p.object->solid) return {iorOf(world, media.top()) / p.surface->ior, media};
+    if (p.front) return {iorOf(world, media.top()) / p.surface->ior, media.entered(p.instance)};
+    const MediumStack beyond = media.left(p.instance);
+    // an eye that stands in an open mesh leaves what it never entered
+    const float inside = media.contains(p.instance) ? iorOf(world, media.top()) : p.surface->ior;
+    return {inside / iorOf(world, beyond.top()), beyond};
+}
+
+Vec3 mirrorDirection(const ShadingPoint& p) {
+    const Vec3 direction = reflected(p.wo, p.normal);
+    return glm::dot(direction, p.geometricNormal) > 0 ? direction : reflected(p.wo, p.geometricNormal);
 }
 
 NextRays nextRays(const World& world, const TraceSettings& settings, const ShadingPoint& p,

@@ -17,6 +17,18 @@ struct NextRays {
     float eta = 1; // of wo's side / of the other side
 };
 
+/// What is on both sides of a surface.
+struct Interface {
+    float eta; // of wo's side / of the other side
+    MediumStack beyond;
+};
+
+/// The media at a hit, by the side that was hit; a surface without inside (a plane) has no medium beyond.
+Interface interfaceAt(const World&, const ShadingPoint&, const MediumStack&);
+
+/// Mirror direction of wo, unit, on the geometric side of wo.
+Vec3 mirrorDirection(const ShadingPoint&);
+
 /// Mirror and refraction directions and their shares. η is that of the media on both sides, by the side that
 /// was hit; a surface without inside (a plane) is a thin pane that bends nothing. Reflections stay on the
 /// geometric side of wo.

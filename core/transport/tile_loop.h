@@ -79,7 +79,7 @@ private:
                         RayCounts& counts, Recorder& recorder, int x, int y, int pass) {
         const SampleAddress address{context.seed, static_cast<std::uint32_t>(x),
                                     static_cast<std::uint32_t>(y), static_cast<std::uint32_t>(pass)};
-        SampleState<Index, Recorder> state{context, geometry, counts, recorder};
+        SampleState<Index, Recorder> state{context, geometry, counts, recorder, address};
         const Color radiance =
             Method::template radiance<F>(state, context.eyeRays.through(x, y, pixelSample(address)));
         counts.truncatedSamples += state.treeNodes > kMaxTreeNodes ? 1 : 0;
