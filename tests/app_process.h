@@ -20,13 +20,15 @@
 
 namespace eyeray {
 
-/// A program started with an environment and a working folder of its own. What it prints goes to files.
+/// A program started with an environment and a working folder of its own. What it prints goes to files; what
+/// it reads comes from one.
 class Process {
 public:
     using Environment = std::vector<std::string>; // NAME=value
 
     Process(const std::string& program, std::vector<std::string> arguments,
-            const std::filesystem::path& folder, const Environment& environment)
+            const std::filesystem::path& folder, const Environment& environment,
+            const std::filesystem::path& input = "/dev/null")
         : out_(folder / "stdout"), err_(folder / "stderr") {
         arguments.insert(arguments.begin(), {"env", "-C", folder.string()});
         arguments.insert(arguments.begin() + 3, environment.begin(), environment.end());
@@ -38,7 +40,7 @@ public:
         posix_spawn_file_actions_t files;
         posix_spawn_file_actions_init(&files);
         constexpr int kWrite = O_WRONLY | O_CREAT | O_TRUNC;
-        posix_spawn_file_actions_addopen(&files, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
+        posix_spawn_file_actions_addopen(&files, STDIN_FILENO, input.c_str(), O_RDONLY, 0);
         posix_spawn_file_actions_addopen(&files, STDOUT_FILENO, out_.c_str(), kWrite, 0600);
         posix_spawn_file_actions_addopen(&files, STDERR_FILENO, err_.c_str(), kWrite, 0600);
         const int error = posix_spawnp(&pid_, "env", &files, nullptr, words.data(), environ);

@@ -44,6 +44,12 @@ void addStop(CLI::App& app, PictureOptions& options, const std::string& key, con
         ->trigger_on_parse();
 }
 
+/// What traces, not what is shown.
+void addMachine(CLI::App& app, PictureOptions& options) {
+    addSetting(app, options, "accel", "NAME", "auto, brute, bvh2 or bvh8");
+    addSetting(app, options, "threads", "N", "threads that trace; 0 is one per core");
+}
+
 void addPicture(CLI::App& app, PictureOptions& options) {
     const auto side = CLI::Range(1, kMaxPictureSide);
     app.add_option("--width", options.width, "width of the picture in pixels")->check(side)->type_name("N");
@@ -65,8 +71,7 @@ void addPicture(CLI::App& app, PictureOptions& options) {
     app.add_option("--first-pass", options.firstPass, "number of the first sample")
         ->check(CLI::Range(0, kMostSamples))
         ->type_name("K");
-    addSetting(app, options, "accel", "NAME", "auto, brute or bvh2");
-    addSetting(app, options, "threads", "N", "threads that trace; 0 is one per core");
+    addMachine(app, options);
     addSetting(app, options, "seed", "N", "start of the random numbers");
     addSetting(app, options, "exposure", "EV", "brightness shown, in stops");
     addSetting(app, options, "tonemap", "NAME", "none, clamp, reinhard or aces");
@@ -123,6 +128,7 @@ std::variant<Options, int> parseCommandLine(int argc, const char* const* argv) {
     RenderOptions render;
     SnapshotOptions snapshot;
     InspectOptions inspect;
+    HitsOptions hits;
     std::string size, play, stats, layer, widgets, pixel, inspected;
 
     CLI::App* viewing = app.add_subcommand("view", "open the viewer");
@@ -177,6 +183,20 @@ std::variant<Options, int> parseCommandLine(int argc, const char* const* argv) {
         ->type_name("FILE");
     addPicture(*inspecting, inspect.picture);
 
+    CLI::App* hitting = app.add_subcommand("hits", "what rays hit: one a line in, one answer a line out");
+    addScene(*hitting, hits.picture, true);
+    hitting->footer(
+        "Standard input: ox oy oz dx dy dz [tmin tmax] a line, in the scene's coordinates; t is in "
+        "units of the direction.\nStandard output: miss, or t id nx ny nz.");
+    CLI::Option* any = hitting->add_flag_callback(
+        "--any", [&hits] { hits.question = HitQuestion::Any; }, "only whether anything is hit: 1 or 0");
+    hitting
+        ->add_flag_callback(
+            "--spawn", [&hits] { hits.question = HitQuestion::Spawned; },
+            "whether the mirrored and the refracted ray (index 1.5) meet their own surface: 1, 0 or -")
+        ->excludes(any);
+    addMachine(*hitting, hits.picture);
+
     const CLI::App* listing = app.add_subcommand("scenes", "list the built-in scenes");
 
     // `eyeray SCENE` is `eyeray view SCENE`
@@ -204,6 +224,7 @@ std::variant<Options, int> parseCommandLine(int argc, const char* const* argv) {
     if (rendering->parsed()) return Options(render);
     if (drawing->parsed()) return Options(snapshot);
     if (inspecting->parsed()) return Options(inspect);
+    if (hitting->parsed()) return Options(hits);
     if (listing->parsed()) return Options(ScenesOptions{});
     if (view.picture.scene.empty()) view.picture.scene = kDefaultScene;
     return Options(view);

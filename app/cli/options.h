@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "app/document/document.h"
+#include "core/study/hit_lines.h"
 
 namespace eyeray {
 
@@ -53,9 +54,15 @@ struct InspectOptions {
     std::optional<std::filesystem::path> output; // else standard output
 };
 
+struct HitsOptions {
+    PictureOptions picture;
+    HitQuestion question = HitQuestion::Closest;
+};
+
 struct ScenesOptions {};
 
-using Options = std::variant<ViewOptions, RenderOptions, SnapshotOptions, InspectOptions, ScenesOptions>;
+using Options = std::variant<ViewOptions, RenderOptions, SnapshotOptions, InspectOptions, HitsOptions,
+                             ScenesOptions>;
 
 /// What main does next: options to carry out, or an exit code after help or version have been printed.
 /// Throws InputError for a wrong command line.
