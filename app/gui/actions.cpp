@@ -73,6 +73,7 @@ constexpr std::array kActions = {
     Action{"View", "Play: the next ray", ".", "play to=next"},
     Action{"View", "Play: one ray back", ",", "play to=back"},
     Action{"View", "Play: the next hit", "Shift+.", "play to=hit"},
+    Action{"View", "Play a coarse picture, pixel by pixel", "Shift+Y", "play-grid"},
     Action{"View", "Brighter", "B", "adjust key=exposure by=0.5"},
     Action{"View", "Darker", "Shift+B", "adjust key=exposure by=-0.5"},
     Action{"View", "Presenter size", "P", "presenter"},

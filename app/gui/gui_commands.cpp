@@ -80,21 +80,39 @@ void rayviewScreenshot(Gui& gui, const Command& command) {
 }
 
 /// Whoever plays wants to see it.
+void showPlay(Gui& gui, bool begun) {
+    if (!gui.preferences().explain || !begun) gui.showTab("Play");
+    gui.setExplain(true);
+}
+
 void play(Gui& gui, const Command& command) {
-    command.allowOnly({"to", "run"});
+    constexpr double kSlowest = 0.05, kFastest = 100;
+    command.allowOnly({"to", "run", "speed"});
     Viewer& viewer = gui.viewer();
     const auto& picked = viewer.picked();
-    if (!picked || picked->trace.rays.empty())
+    const bool onGrid = viewer.gridPlayer().on();
+    if (const auto speed = command.number("speed", kSlowest, kFastest)) {
+        viewer.setPlaySpeed(*speed);
+        if (command.arguments().size() == 1) return;
+    }
+    if (!onGrid && (!picked || picked->trace.rays.empty()))
         throw InputError(command.text(), "there are no rays to play",
                          "click the picture, or say pick x=320 y=240");
-    if (!gui.preferences().explain || !viewer.player().begun()) gui.showTab("Play");
-    gui.setExplain(true);
+    showPlay(gui, onGrid || viewer.player().begun());
     if (const auto to = command.choice("to", kPlayToNames)) {
         viewer.runPlay(false);
         viewer.play(static_cast<PlayTo>(*to));
     }
     if (!command.find("to") || command.find("run"))
-        viewer.runPlay(command.flag("run").value_or(!viewer.player().running()));
+        viewer.runPlay(command.flag("run").value_or(!viewer.playing()));
+}
+
+void playGrid(Gui& gui, const Command& command) {
+    const bool on = wanted(command, gui.viewer().gridPlayer().on());
+    if (on && !gui.viewer().hasScene())
+        throw InputError(command.text(), "no scene is open", "open a scene first");
+    gui.viewer().playGrid(on);
+    if (on) showPlay(gui, false);
 }
 
 void deselect(Gui& gui, const Command&) {
@@ -109,9 +127,11 @@ void movePixel(Gui& gui, const Command& command) {
     if (!gui.viewer().hasScene()) return;
     const PictureSize size = gui.viewer().pictureSize();
     const auto& pixel = gui.viewer().document().pixel;
+    const GridPlayer& player = gui.viewer().gridPlayer(); // its cells are the pixels then
     const auto moved = [&](std::string_view axis, int from, int count) {
         const int by = command.integer(axis, -kMaxPictureSide, kMaxPictureSide).value_or(0);
-        return std::clamp(from + by, 0, std::max(0, count - 1));
+        const int cells = axis == "x" ? player.grid().columns : player.grid().rows;
+        return std::clamp(from + (player.on() ? by * (count / cells) : by), 0, std::max(0, count - 1));
     };
     gui.viewer().pick(PixelPosition{moved("x", pixel ? pixel->x : size.width / 2, size.width),
                                     moved("y", pixel ? pixel->y : size.height / 2, size.height)},
@@ -152,8 +172,10 @@ constexpr std::array kCommands = {
     GuiCommand{"rasterised", "on=on|off",
                "Shows what OpenGL draws of the scene: no shadows, mirrors or glass.", rasterised},
     GuiCommand{"tab", "name=tree|sum|play", "Shows the picked pixel's tree, its sum or its playing.", tab},
-    GuiCommand{"play", "to=start|back|next|hit|light|end run=on|off",
-               "Plays how the picked pixel is traced: a step, or by itself.", play},
+    GuiCommand{"play", "to=start|back|next|hit|light|end run=on|off speed=F",
+               "Plays how the picked pixel is traced, or the coarse picture: a step, or by itself.", play},
+    GuiCommand{"play-grid", "on=on|off",
+               "Plays how a picture of 16 by 12 pixels is traced, one pixel at a step.", playGrid},
     GuiCommand{"other", "on=on|off", "Shows the picture in place of a layer, or the other side alone.",
                other},
     GuiCommand{"fullscreen", "on=on|off", "Fills the screen.", fullscreen},

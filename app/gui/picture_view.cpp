@@ -46,7 +46,8 @@ void PictureView::draw(const Widgets& ui, bool other) {
     const ImVec2 corner{std::floor(start.x + (available.x - size.x) / 2),
                         std::floor(start.y + (available.y - size.y) / 2)};
     image(ui, corner, size, other);
-    if (ui.viewer.hasScene() && ui.viewer.document().comparison.on) CompareView::handle(ui, corner, size);
+    if (ui.viewer.hasScene() && ui.viewer.document().comparison.on && !playsGrid_)
+        CompareView::handle(ui, corner, size);
     ImGui::SetCursorScreenPos(corner);
     ImGui::InvisibleButton("picture", size,
                            ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonRight |
@@ -54,6 +55,7 @@ void PictureView::draw(const Widgets& ui, bool other) {
     ui.mark("picture");
     if (!ui.viewer.hasScene()) return;
     mouse(ui, corner);
+    if (playsGrid_) return;
     pickedMark(ui, corner);
     if (rasterised_) raster_.note(ui, corner);
 }
@@ -63,8 +65,17 @@ void PictureView::setRasterised(bool on) {
     ++switches_;
 }
 
+const GlTexture& PictureView::texture() const {
+    if (playsGrid_) return grid_.texture();
+    return rasterised_ ? raster_.texture() : film_.texture();
+}
+
 void PictureView::refresh(const Widgets& ui) {
     if (!ui.viewer.hasScene()) return;
+    const bool playsGrid = ui.viewer.gridPlayer().on();
+    if (playsGrid != playsGrid_) ++switches_;
+    playsGrid_ = playsGrid;
+    if (playsGrid_) grid_.refresh(ui.viewer, ui.dark);
     const Comparison& comparison = ui.viewer.document().comparison;
     film_.refresh(ui.viewer.session(), ui.viewer.document().render.display);
     layer_.refresh(ui.viewer);
@@ -73,6 +84,7 @@ void PictureView::refresh(const Widgets& ui) {
 }
 
 void PictureView::image(const Widgets& ui, ImVec2 corner, ImVec2 size, bool other) const {
+    if (playsGrid_) return grid_.draw(ui, corner, size);
     const ImVec2 opposite{corner.x + size.x, corner.y + size.y};
     const LegendPlace place{{corner.x, opposite.y}, size.x, size.y};
     ImDrawList& list = *ImGui::GetWindowDrawList();

@@ -3,6 +3,7 @@
 
 #include "app/gui/compare_view.h"
 #include "app/gui/film_texture.h"
+#include "app/gui/grid_view.h"
 #include "app/gui/layer_view.h"
 #include "app/gui/raster_view.h"
 #include "app/gui/widgets.h"
@@ -11,7 +12,7 @@ namespace eyeray {
 
 class PictureView {
 public:
-    explicit PictureView(const Gl& gl) : film_(gl), raster_(gl), layer_(gl), compare_(gl) {}
+    explicit PictureView(const Gl& gl) : film_(gl), raster_(gl), layer_(gl), compare_(gl), grid_(gl) {}
 
     /// Draws the picture, as large as it fits with its aspect, in what is left of the current ImGui window:
     /// or a layer of it, or it and the other side of a comparison. With `other`, what these stand in place
@@ -24,9 +25,12 @@ public:
 
     /// The picture, as displayed.
     const ByteImage& shown() const { return rasterised_ ? raster_.shown() : film_.shown(); }
-    const GlTexture& texture() const { return rasterised_ ? raster_.texture() : film_.texture(); }
-    /// Changes whenever the picture does.
-    std::uint64_t version() const { return film_.version() + raster_.version() + switches_; }
+    /// The same on the graphics card, or the coarse picture while that is played.
+    const GlTexture& texture() const;
+    /// Changes whenever the texture does.
+    std::uint64_t version() const {
+        return film_.version() + raster_.version() + grid_.version() + switches_;
+    }
 
 private:
     void refresh(const Widgets&);
@@ -40,8 +44,9 @@ private:
     RasterView raster_;
     LayerView layer_;
     CompareView compare_;
-    bool rasterised_ = false;
-    std::uint64_t switches_ = 0; // between traced and rasterised
+    GridView grid_;
+    bool rasterised_ = false, playsGrid_ = false;
+    std::uint64_t switches_ = 0; // between traced, rasterised and coarse
     int drags_ = 0;              // counts them, so that each is one step of undo
     bool dragging_ = false;
 };

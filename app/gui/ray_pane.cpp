@@ -206,6 +206,7 @@ RayViewContent RayPane::content(const Widgets& ui, const PictureView& picture) {
                            .pictureVersion = picture.version(),
                            .pictureWidth = picture.shown().width(),
                            .pictureHeight = picture.shown().height(),
+                           .aspect = static_cast<double>(picture.shown().width()) / picture.shown().height(),
                            .pixel = {},
                            .samples = {},
                            .selectedRay = -1,
@@ -218,6 +219,12 @@ RayViewContent RayPane::content(const Widgets& ui, const PictureView& picture) {
         if (playing) played_ = firstRays(picked->trace, shown);
         content.samples.push_back(playing ? &played_ : &picked->trace);
         content.selectedRay = viewer.selectedRay();
+    }
+    if (const GridPlayer& player = viewer.gridPlayer(); player.on()) {
+        const PixelGrid& grid = player.grid();
+        content.pictureWidth = grid.columns;
+        content.pictureHeight = grid.rows;
+        if (const auto cell = player.current()) content.pixel = DVec2(grid.column(*cell), grid.row(*cell));
     }
     for (const Retrace& trace : many_.samples()) content.samples.push_back(&trace);
     return content;
@@ -277,7 +284,7 @@ void RayPane::caption(const Widgets& ui, Sketch& sketch, const RayStyle& style, 
     const auto say = [&](const std::string& text) {
         sketch.labels.push_back({{margin, margin}, text, style.text, {0, 0}, 0.9F});
     };
-    if (!ui.viewer.document().pixel && show_ == ShownRays::Pixel)
+    if (!ui.viewer.document().pixel && show_ == ShownRays::Pixel && !ui.viewer.gridPlayer().on())
         say("click a pixel of the picture to see its rays");
     else if (show_ != ShownRays::Pixel && many_.samples().size() < many_.wanted())
         say(fmt::format("{} of {} pixels: no more than {} rays are drawn", many_.samples().size(),

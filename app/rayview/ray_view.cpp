@@ -29,9 +29,8 @@ RayView::RayView(const Gl& gl) : gl_(gl), meshes_(gl), painter_(gl), quad_(gl) {
 void RayView::draw(const RayViewContent& content, int width, int height, const RayStyle& style,
                    const Backdrop& backdrop) {
     outside_.update(content.camera, static_cast<double>(width) / height);
-    const double aspect = static_cast<double>(content.pictureWidth) / content.pictureHeight;
     const ImagePlane plane =
-        imagePlaneOf(content.camera, content.world->origin, aspect, content.camera.distance());
+        imagePlaneOf(content.camera, content.world->origin, content.aspect, content.camera.distance());
     const bool redrawn = drawScene(content, width, height, backdrop);
     if (redrawn || drawnPicture_ != content.pictureVersion || drawnCamera_ != content.camera) {
         drawPlane(content, plane);

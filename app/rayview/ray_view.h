@@ -16,10 +16,11 @@ inline constexpr std::size_t kMostArrows = 1000;
 /// What there is to see.
 struct RayViewContent {
     std::shared_ptr<const World> world;
-    Camera camera;                      // of the picture
-    const GlTexture* picture = nullptr; // what it shows so far
-    std::uint64_t pictureVersion = 0;   // changes with the picture
-    int pictureWidth = 0, pictureHeight = 0;
+    Camera camera;                            // of the picture
+    const GlTexture* picture = nullptr;       // what it shows so far
+    std::uint64_t pictureVersion = 0;         // changes with the picture
+    int pictureWidth = 0, pictureHeight = 0;  // pixels that its grid shows
+    double aspect = 1;                        // its width / height
     std::optional<DVec2> pixel;               // picked
     std::vector<const SampleRecord*> samples; // those whose rays are shown, the picked one first
     int selectedRay = 0;                      // of the first sample

@@ -3,11 +3,6 @@
 #include <algorithm>
 
 namespace eyeray {
-namespace {
-
-constexpr auto kStep = std::chrono::milliseconds(700); // time to see where a ray goes, and to say it
-
-}
 
 int Player::shown(const SampleRecord& record) const {
     const int all = static_cast<int>(record.rays.size());
@@ -20,17 +15,15 @@ void Player::go(const SampleRecord& record, PlayTo to) {
 }
 
 void Player::run(const SampleRecord& record, bool on, Clock::time_point now) {
-    running_ = on;
-    lastStep_ = now;
+    clock_.run(on, now);
     if (on && shown(record) == static_cast<int>(record.rays.size())) go(record, PlayTo::Start);
 }
 
 bool Player::update(const SampleRecord& record, Clock::time_point now) {
-    if (!running_ || now - lastStep_ < kStep) return false;
-    lastStep_ = now;
-    go(record, PlayTo::Next);
-    running_ = shown(record) < static_cast<int>(record.rays.size());
-    return true;
+    const int steps = clock_.due(now);
+    for (int i = 0; i < steps; ++i) go(record, PlayTo::Next);
+    if (shown(record) == static_cast<int>(record.rays.size())) clock_.run(false);
+    return steps > 0;
 }
 
 }

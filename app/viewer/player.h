@@ -1,26 +1,27 @@
 #pragma once
 // Plays the tracing of the picked sample.
 
-#include <chrono>
 #include <optional>
 
+#include "app/viewer/step_clock.h"
 #include "core/study/playback.h"
 
 namespace eyeray {
 
 class Player {
 public:
-    using Clock = std::chrono::steady_clock;
+    using Clock = StepClock::Clock;
 
     /// Shows all rays at once again.
-    void reset() { traced_.reset(), running_ = false; }
+    void reset() { traced_.reset(), clock_.run(false); }
     /// The first step forward begins with the eye ray.
     void go(const SampleRecord&, PlayTo);
     /// Runs by itself, from the start if it stands at the end; or stands still.
     void run(const SampleRecord&, bool on, Clock::time_point now = Clock::now());
-    bool running() const { return running_; }
+    bool running() const { return clock_.running(); }
     bool begun() const { return traced_.has_value(); }
-    /// Takes the next step if it is time for it; true if it was.
+    void setSpeed(double factor) { clock_.setSpeed(factor); }
+    /// Takes the steps that it is time for; true if there was one.
     bool update(const SampleRecord&, Clock::time_point now = Clock::now());
 
     /// How many of the sample's rays are shown: all, until something is played.
@@ -28,8 +29,7 @@ public:
 
 private:
     std::optional<int> traced_;
-    bool running_ = false;
-    Clock::time_point lastStep_;
+    StepClock clock_{0.7}; // time to see where a ray goes, and to say it
 };
 
 }

@@ -47,6 +47,21 @@ void Viewer::change(Document changed, const std::string& gesture) {
 }
 
 void Viewer::pick(std::optional<PixelPosition> pixel, bool select) {
+    if (pixel && grid_.on()) {
+        const PixelGrid& grid = grid_.grid();
+        grid_.goTo(grid.cellAt(std::min(pixel->x, grid.width - 1), std::min(pixel->y, grid.height - 1)) + 1,
+                   gridTrace());
+        pickGridCell();
+    } else {
+        pickPixel(pixel);
+    }
+    if (!select || !picked_) return;
+    Document selected = document();
+    selected.selectedObject = picked_->object;
+    history_->replace(std::move(selected));
+}
+
+void Viewer::pickPixel(std::optional<PixelPosition> pixel) {
     Document picked = document();
     if (picked.pixel != pixel) {
         selectedRay_ = 0;
@@ -55,10 +70,6 @@ void Viewer::pick(std::optional<PixelPosition> pixel, bool select) {
     picked.pixel = pixel;
     history_->replace(std::move(picked));
     traceAgain();
-    if (!select || !picked_) return;
-    Document selected = document();
-    selected.selectedObject = picked_->object;
-    history_->replace(std::move(selected));
 }
 
 void Viewer::traceAgain() {
@@ -82,17 +93,8 @@ void Viewer::setStudy(const StudySettings& settings) {
 void Viewer::chooseSample(int sample) {
     sample_ = sample;
     player_.reset();
+    retraceGrid();
     traceAgain();
-}
-
-void Viewer::play(PlayTo to) {
-    player_.go(picked_->trace, to);
-    selectedRay_ = player_.shown(picked_->trace) - 1;
-}
-
-void Viewer::runPlay(bool on) {
-    player_.run(picked_->trace, on);
-    selectedRay_ = player_.shown(picked_->trace) - 1;
 }
 
 int Viewer::selectedRay() const {
@@ -136,14 +138,14 @@ bool Viewer::update() {
     const bool compared = updateComparison(), layered = updateLayer();
     const RenderStatus now = session_->status();
     const bool finished = lastPhase_ != now.phase || lastSamples_ != now.samples;
+    if (now.phase != lastPhase_) retraceGrid();
     if (document().pixel && (!picked_ || now.phase != lastPhase_)) traceAgain();
-    const bool played = picked_ && player_.update(picked_->trace);
-    if (played) selectedRay_ = player_.shown(picked_->trace) - 1;
+    const bool played = updatePlay();
     const bool averaged = picked_ && study_.average(*session_, picked_->pixel);
     lastPhase_ = now.phase;
     lastSamples_ = now.samples;
-    return loaded || built || started || metered || compared || layered || finished || averaged ||
-           player_.running() || played || now.active() || loading() || building();
+    return loaded || built || started || metered || compared || layered || finished || averaged || played ||
+           now.active() || loading() || building();
 }
 
 void Viewer::openInBackground(const std::string& nameOrPath, std::vector<Command> commands) {
@@ -190,6 +192,7 @@ void Viewer::show(OpenedScene opened) {
     history_ = std::make_unique<History>(opened_.document);
     if (kept) history_->change(std::move(*kept));
     picked_.reset();
+    grid_.end();
     int changes = 0;
     for (const auto& line : opened_.report.lines) changes += line.kind != ImportReport::Kind::Added ? 1 : 0;
     if (changes > 0)

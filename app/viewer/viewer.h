@@ -15,6 +15,7 @@
 #include "app/document/scene_files.h"
 #include "app/viewer/background_job.h"
 #include "app/viewer/comparison_rendering.h"
+#include "app/viewer/grid_player.h"
 #include "app/viewer/layer_rendering.h"
 #include "app/viewer/pixel_study.h"
 #include "app/viewer/player.h"
@@ -91,6 +92,9 @@ public:
     /// selected.
     int selectedRay() const;
     const Player& player() const { return player_; }
+    const GridPlayer& gridPlayer() const { return grid_; }
+    /// True while the one of them that is shown runs by itself.
+    bool playing() const;
     /// The picked sample's ledger and tree, as they are looked at. Valid while there is a picked sample.
     const PixelStudy& study() const { return study_; }
     const LayerRendering& layers() const { return layers_; }
@@ -105,14 +109,19 @@ public:
     void redo() { history_->redo(); }
     void reset() { history_->change(history_->original()); }
     void setPaused(bool);
-    /// Picks a pixel of the picture, or none; selects the object there if asked.
+    /// Picks a pixel of the picture, or none; selects the object there if asked. While a coarse picture is
+    /// played, it plays up to that place.
     void pick(std::optional<PixelPosition>, bool select);
     /// Shows another sample of the picked pixel, from 0.
     void chooseSample(int sample);
     void selectRay(int ray) { selectedRay_ = ray; }
-    /// One step of the playing of the picked sample, or its running; selects the ray that it comes to.
+    /// One step of the playing of the picked sample, or its running; selects the ray that it comes to. Or of
+    /// the coarse picture: picks the pixel that it comes to.
     void play(PlayTo);
     void runPlay(bool on);
+    void setPlaySpeed(double factor);
+    /// Plays a picture of few pixels from now on, and begins with none; or the picked sample again.
+    void playGrid(bool on);
     void setStudy(const StudySettings&);
     /// Strikes a node of the picked sample's ledger out, or back in.
     void strike(int node, bool out) { study_.strike(node, out); }
@@ -148,7 +157,12 @@ private:
     bool updateLayer();
     bool tracing(int samples) const;
     bool meterExposure();
+    void pickPixel(std::optional<PixelPosition>);
     void traceAgain();
+    GridPlayer::Trace gridTrace() const;
+    void pickGridCell();
+    bool updatePlay();
+    void retraceGrid();
     Document fileDocument() const;
 
     std::unique_ptr<History> history_; // none before the first scene
@@ -182,6 +196,7 @@ private:
     PixelStudy study_;
     int sample_ = 0, selectedRay_ = 0;
     Player player_;
+    GridPlayer grid_;
     std::deque<Notice> notices_;
     RenderStatus::Phase lastPhase_ = RenderStatus::Phase::Idle; // at the last update
     int lastSamples_ = 0;

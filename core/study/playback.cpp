@@ -50,6 +50,10 @@ int played(const SampleRecord& record, int traced, PlayTo to) {
     return all;
 }
 
+bool stopsIn(const SampleRecord& record, PlayTo to) {
+    return std::ranges::any_of(record.rays, [&](const RayRecord& ray) { return stopsAt(ray, to); });
+}
+
 SampleRecord firstRays(const SampleRecord& record, int traced) {
     SampleRecord result;
     const auto count = std::min(record.rays.size(), static_cast<std::size_t>(std::max(0, traced)));

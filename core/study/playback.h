@@ -19,6 +19,9 @@ inline constexpr std::array<std::string_view, 6> kPlayToNames = {"start", "back"
 /// How many rays have been traced after the step, from 1 (the eye ray) to all. `traced`: how many before.
 int played(const SampleRecord&, int traced, PlayTo);
 
+/// Whether a sample has a ray that such a step stops at.
+bool stopsIn(const SampleRecord&, PlayTo);
+
 /// What was on record when so many rays had been traced.
 SampleRecord firstRays(const SampleRecord&, int traced);
 
