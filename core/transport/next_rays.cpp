@@ -10,15 +10,17 @@ float iorOf(const World& world, std::uint32_t instance) {
     return world.materials[world.objects[instance].material].surface.ior;
 }
 
+Vec3 mirrorDirection(const ShadingPoint& p) {
+    const Vec3 direction = reflected(p.wo, p.normal);
+    return glm::dot(direction, p.geometricNormal) > 0 ? direction : reflected(p.wo, p.geometricNormal);
+}
+
 /// Mirror share at this angle: from normal to grazing incidence as the Fresnel reflectance of the material's
 /// η runs from F0 to 1.
 Color mirrorShare(const Surface& surface, float cosine) {
     if (surface.normalReflectivity == surface.grazingReflectivity) return surface.normalReflectivity;
-    const float root = (surface.ior - 1) / (surface.ior + 1);
-    const float f0 = root * root;
-    const float rise = f0 < 1 ? (fresnelDielectric(cosine, 1 / surface.ior) - f0) / (1 - f0) : 0;
     return surface.normalReflectivity +
-           (surface.grazingReflectivity - surface.normalReflectivity) * std::fmax(rise, 0.0F);
+           (surface.grazingReflectivity - surface.normalReflectivity) * fresnelRise(cosine, surface.ior);
 }
 
 /// Total internal reflection takes all that Fresnel's equations divide, whatever the weights.
@@ -56,11 +58,6 @@ Interface interfaceAt(const World& world, const ShadingPoint& p, const MediumSta
     // an eye that stands in an open mesh leaves what it never entered
     const float inside = media.contains(p.instance) ? iorOf(world, media.top()) : p.surface->ior;
     return {inside / iorOf(world, beyond.top()), beyond};
-}
-
-Vec3 mirrorDirection(const ShadingPoint& p) {
-    const Vec3 direction = reflected(p.wo, p.normal);
-    return glm::dot(direction, p.geometricNormal) > 0 ? direction : reflected(p.wo, p.geometricNormal);
 }
 
 NextRays nextRays(const World& world, const TraceSettings& settings, const ShadingPoint& p,

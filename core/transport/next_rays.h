@@ -26,9 +26,6 @@ struct Interface {
 /// The media at a hit, by the side that was hit; a surface without inside (a plane) has no medium beyond.
 Interface interfaceAt(const World&, const ShadingPoint&, const MediumStack&);
 
-/// Mirror direction of wo, unit, on the geometric side of wo.
-Vec3 mirrorDirection(const ShadingPoint&);
-
 /// Mirror and refraction directions and their shares. η is that of the media on both sides, by the side that
 /// was hit; a surface without inside (a plane) is a thin pane that bends nothing. Reflections stay on the
 /// geometric side of wo.

@@ -30,6 +30,11 @@ float fresnelDielectric(float cosine, float eta) {
     return static_cast<float>(0.5 * (perpendicular * perpendicular + parallel * parallel));
 }
 
+float fresnelRise(float cosine, float ior) {
+    const float root = (ior - 1) / (ior + 1), f0 = root * root;
+    return f0 < 1 ? std::max(0.0F, (fresnelDielectric(cosine, 1 / ior) - f0) / (1 - f0)) : 0;
+}
+
 Color transmittanceOf(const Color& attenuation, float distance) {
     const auto channel = [&](float sigma) { return sigma > 0 ? std::exp(-sigma * distance) : 1.0F; };
     return {channel(attenuation.r), channel(attenuation.g), channel(attenuation.b)};

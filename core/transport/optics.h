@@ -19,6 +19,10 @@ std::optional<Vec3> refracted(const Vec3& wo, const Vec3& normal, float eta);
 /// `cosine` = n·wo ≥ 0, `eta` as above. Born, Wolf 1999, "Principles of Optics" 7th ed., section 1.5.2.
 float fresnelDielectric(float cosine, float eta);
 
+/// How far between normal (0) and grazing incidence (1) the reflectance of a smooth dielectric of index `ior`
+/// in vacuum has risen: (F − F0) / (1 − F0), the shape of every coat's reflectance here.
+float fresnelRise(float cosine, float ior);
+
 /// e^(−σd) per channel; d may be infinite.
 Color transmittanceOf(const Color& attenuation, float distance);
 
