@@ -129,7 +129,8 @@ std::variant<Options, int> parseCommandLine(int argc, const char* const* argv) {
     SnapshotOptions snapshot;
     InspectOptions inspect;
     HitsOptions hits;
-    std::string size, play, stats, layer, widgets, pixel, inspected;
+    BenchOptions bench;
+    std::string size, play, stats, layer, widgets, pixel, inspected, accel;
 
     CLI::App* viewing = app.add_subcommand("view", "open the viewer");
     addScene(*viewing, view.picture, false);
@@ -197,6 +198,20 @@ std::variant<Options, int> parseCommandLine(int argc, const char* const* argv) {
         ->excludes(any);
     addMachine(*hitting, hits.picture);
 
+    CLI::App* timing = app.add_subcommand("bench", "rays a second by index and kind of ray");
+    timing->add_option("scene", bench.scene, "scene or mesh; without one, homage and knot")
+        ->type_name("SCENE|MESH");
+    timing->add_flag("--json", bench.json, "a list of objects, one for each line of figures");
+    timing->add_option("--seconds", bench.seconds, "about how long to measure")
+        ->check(CLI::Range(0.1, 3600.0))
+        ->type_name("S");
+    timing->add_option("--threads", bench.threads, "only with as many; else 1, 2 and one per core")
+        ->check(CLI::Range(1, 256))
+        ->type_name("N");
+    timing->add_option("--accel", accel, "only brute, bvh2 or bvh8")
+        ->check(CLI::IsMember({"brute", "bvh2", "bvh8"}))
+        ->type_name("NAME");
+
     const CLI::App* listing = app.add_subcommand("scenes", "list the built-in scenes");
 
     // `eyeray SCENE` is `eyeray view SCENE`
@@ -221,10 +236,13 @@ std::variant<Options, int> parseCommandLine(int argc, const char* const* argv) {
     if (!size.empty()) setWindowSize(snapshot, size);
     if (!pixel.empty()) inspect.pixel = pixelFrom(pixel);
     if (!inspected.empty()) inspect.output = inspected;
+    if (!accel.empty())
+        bench.accel = static_cast<AccelKind>(std::ranges::find(kAccelNames, accel) - kAccelNames.begin());
     if (rendering->parsed()) return Options(render);
     if (drawing->parsed()) return Options(snapshot);
     if (inspecting->parsed()) return Options(inspect);
     if (hitting->parsed()) return Options(hits);
+    if (timing->parsed()) return Options(bench);
     if (listing->parsed()) return Options(ScenesOptions{});
     if (view.picture.scene.empty()) view.picture.scene = kDefaultScene;
     return Options(view);

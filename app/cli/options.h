@@ -59,10 +59,18 @@ struct HitsOptions {
     HitQuestion question = HitQuestion::Closest;
 };
 
+struct BenchOptions {
+    std::string scene;              // empty: the default ones
+    double seconds = 10;            // about how long to measure
+    std::optional<int> threads;     // else one, two, and one per core
+    std::optional<AccelKind> accel; // else all that the scene is not too large for
+    bool json = false;
+};
+
 struct ScenesOptions {};
 
 using Options = std::variant<ViewOptions, RenderOptions, SnapshotOptions, InspectOptions, HitsOptions,
-                             ScenesOptions>;
+                             BenchOptions, ScenesOptions>;
 
 /// What main does next: options to carry out, or an exit code after help or version have been printed.
 /// Throws InputError for a wrong command line.

@@ -1,11 +1,11 @@
 #include <fmt/format.h>
-#include <sys/resource.h>
 #include <unistd.h>
 
-#include <csignal>
 #include <cstdio>
 #include <nlohmann/json.hpp>
 
+#include "app/cli/figures.h"
+#include "app/cli/interruption.h"
 #include "app/cli/render_job.h"
 #include "app/cli/run.h"
 #include "core/base/errors.h"
@@ -21,8 +21,6 @@ constexpr int kDefaultWidth = 1280;
 constexpr double kDefaultAspect = 16.0 / 9;
 constexpr int kDefaultSamples = 16; // where no option says when to stop
 constexpr auto kProgressInterval = std::chrono::milliseconds(100);
-
-volatile std::sig_atomic_t interruption = 0;
 
 double secondsSince(Clock::time_point start) {
     return std::chrono::duration<double>(Clock::now() - start).count();
@@ -45,8 +43,6 @@ RenderStatus render(RenderSession& session, const RenderJob& job, bool progress)
 }
 
 nlohmann::json statistics(const RenderJob& job, const RenderStatus& status) {
-    rusage usage{};
-    getrusage(RUSAGE_SELF, &usage);
     nlohmann::json rays;
     for (int kind = 0; kind < kRayKinds; ++kind)
         rays[std::string(kRayKindNames[static_cast<std::size_t>(kind)])] =
@@ -66,20 +62,14 @@ nlohmann::json statistics(const RenderJob& job, const RenderStatus& status) {
             {"rays", rays},
             {"mrays_per_second", status.mraysPerSecond()},
             {"deepest_ray", status.counts.deepest},
-            {"accelerator",
-             {{"kind", kAccelNames[static_cast<std::size_t>(world.accelKind)]},
-              {"primitives", world.primitives},
-              {"nodes", world.nodes},
-              {"bytes", world.bytes}}},
+            {"accelerator", acceleratorFigures(world)},
             {"estimated_error", status.estimatedError},
             {"not_needed", world.needs.reasons},
             {"invalid_samples", status.counts.invalidSamples},
-            {"peak_rss_bytes", static_cast<std::int64_t>(usage.ru_maxrss) * 1024}};
+            {"peak_rss_bytes", peakRssBytes()}};
 }
 
 }
-
-bool interrupted() { return interruption != 0; }
 
 bool showsProgress(const RenderOptions& options) { return !options.quiet && isatty(STDERR_FILENO) != 0; }
 
@@ -174,8 +164,7 @@ int run(const RenderOptions& options) {
     checkOutput(options.output);
     RenderJob job = prepare(options);
     const std::vector<Layer> layers = layersFor(job, options);
-    std::signal(SIGINT, [](int) { interruption = 1; });
-    std::signal(SIGTERM, [](int) { interruption = 1; });
+    heedInterrupts();
     const auto buildStart = Clock::now();
     job.world = buildWorld(job.document.scene, job.document.build);
     job.buildSeconds = secondsSince(buildStart);

@@ -21,9 +21,6 @@ struct RenderJob {
     double buildSeconds = 0;
 };
 
-/// True once the program was asked to end.
-bool interrupted();
-
 // The progress line; endProgress clears it.
 bool showsProgress(const RenderOptions&);
 void showProgress(const RenderStatus&, const StopSettings&);

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include "app/cli/interruption.h"
 #include "app/cli/render_job.h"
 #include "core/base/errors.h"
 #include "core/study/layer_picture.h"

@@ -3,21 +3,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 
 #include "app/document/scene_files.h"
+#include "core/study/ray_bench.h"
 
 namespace eyeray::bench {
-namespace {
-
-/// Nearest rank: the smallest value that `share` of all do not exceed.
-double percentile(const std::vector<double>& sorted, double share) {
-    const double rank = std::ceil(share * static_cast<double>(sorted.size()));
-    return sorted[static_cast<std::size_t>(std::max(1.0, rank)) - 1];
-}
-
-}
-
 double secondsSince(Clock::time_point start) {
     return std::chrono::duration<double>(Clock::now() - start).count();
 }
@@ -30,9 +20,8 @@ void printHeading(const std::string& title, const std::string& unit) {
 void printSeries(const std::string& name, std::vector<double> values, const Goal& goal) {
     std::sort(values.begin(), values.end());
     const double median = percentile(values, 0.5), p95 = percentile(values, 0.95);
-    const double spread = (percentile(values, 0.75) - percentile(values, 0.25)) / 2;
     fmt::print("{:<34}{:>9.2f}{:>9.2f}{:>9.2f}{:>9.2f}{:>9.2f}{:>6}", name, median, p95, values.front(),
-               values.back(), spread, values.size());
+               values.back(), seriesOf(values).spread, values.size());
     if (goal.of != Goal::Of::None) {
         const bool tail = goal.of == Goal::Of::Percentile95;
         fmt::print("  {} {} <= {:g}",

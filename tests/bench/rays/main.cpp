@@ -29,7 +29,7 @@ using Answers = std::vector<float>;
 
 struct Tracer {
     std::string name;
-    std::function<void(const RayKindSet&, Answers&)> trace;
+    std::function<void(const RaySet&, Answers&)> trace;
     double buildSeconds = 0;
     std::size_t bytes = 0;
 };
@@ -40,7 +40,7 @@ Tracer ours(std::string name, const TestMesh& test) {
     const double seconds = secondsOf([&] {
         *scene = indexInstances<Index>({{.placement = {}, .geometry = indexMesh<Index>(test.mesh, {})}}, {});
     });
-    const auto trace = [scene](const RayKindSet& set, Answers& answers) {
+    const auto trace = [scene](const RaySet& set, Answers& answers) {
         for (std::size_t i = 0; i < set.rays.size(); ++i) {
             if (set.anyHit) {
                 answers[i] = anyHit(*scene, set.rays[i]) ? 1.0F : 0.0F;
@@ -55,16 +55,11 @@ Tracer ours(std::string name, const TestMesh& test) {
 
 Tracer embree(std::string name, const TestMesh& test, bool robust) {
     auto scene = std::make_shared<EmbreeScene>(*test.mesh, robust);
-    const auto trace = [scene](const RayKindSet& set, Answers& answers) {
+    const auto trace = [scene](const RaySet& set, Answers& answers) {
         for (std::size_t i = 0; i < set.rays.size(); ++i)
             answers[i] = set.anyHit ? (scene->any(set.rays[i]) ? 1.0F : 0.0F) : scene->closest(set.rays[i]);
     };
     return {std::move(name), trace, scene->buildSeconds(), scene->bytes()};
-}
-
-double median(std::vector<double> values) {
-    std::ranges::sort(values);
-    return values[values.size() / 2];
 }
 
 // Another hit, or t that differs by more than a few roundings.
@@ -79,19 +74,19 @@ void compare(const TestMesh& test) {
     const auto triangles = static_cast<double>(test.mesh->triangles.size());
     const std::vector<Tracer> tracers{ours<Bvh2>("bvh2", test), ours<Bvh8>("bvh8", test),
                                       embree("Embree", test, false), embree("Embree robust", test, true)};
-    const std::vector<RayKindSet> sets = raysFor(test);
+    const std::vector<RaySet> sets = raysFor(test);
     fmt::print("\n{:<20}{:>10}{:>10}{:>10}{:>10}{:>11}{:>9}\n", test.name, "eye", "shadow", "mirror",
                "diffuse", "build ms", "B/tri");
     std::vector<std::vector<double>> speeds(tracers.size());
     std::vector<std::vector<std::size_t>> differ(tracers.size());
-    for (const RayKindSet& set : sets) {
+    for (const RaySet& set : sets) {
         std::vector<Answers> answers(tracers.size(), Answers(set.rays.size()));
         std::vector<std::vector<double>> seconds(tracers.size());
         for (int round = 0; round < kRounds; ++round)
             for (std::size_t i = 0; i < tracers.size(); ++i)
                 seconds[i].push_back(secondsOf([&] { tracers[i].trace(set, answers[i]); }));
         for (std::size_t i = 0; i < tracers.size(); ++i) {
-            speeds[i].push_back(static_cast<double>(set.rays.size()) * 1e-6 / median(seconds[i]));
+            speeds[i].push_back(static_cast<double>(set.rays.size()) * 1e-6 / seriesOf(seconds[i]).median);
             differ[i].push_back(differences(answers[i], answers[1]));
         }
     }
@@ -106,7 +101,7 @@ void compare(const TestMesh& test) {
     fmt::print("\n{:<20}", "differ from Embree");
     for (const std::size_t count : differ[2]) fmt::print("{:>10}", count);
     fmt::print("\n{:<20}", "of rays");
-    for (const RayKindSet& set : sets) fmt::print("{:>10}", set.rays.size());
+    for (const RaySet& set : sets) fmt::print("{:>10}", set.rays.size());
     fmt::print("\n");
 }
 

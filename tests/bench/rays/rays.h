@@ -1,11 +1,11 @@
 #pragma once
-// Meshes and the rays that are sent through them, the same for every tracer.
+// Meshes through which the same rays are sent by every tracer.
 
 #include <string>
-#include <string_view>
 #include <vector>
 
-#include "core/geometry/accel.h"
+#include "core/scene/camera.h"
+#include "core/study/ray_bench.h"
 
 namespace eyeray::bench {
 
@@ -18,14 +18,7 @@ struct TestMesh {
 /// A box of few triangles, a knot of 100,000, a terrain of a million, and 200,000 random slivers.
 std::vector<TestMesh> testMeshes();
 
-struct RayKindSet {
-    std::string_view name;
-    bool anyHit = false; // what is asked of its rays
-    std::vector<Ray> rays;
-};
-
-/// Eye rays of a picture, row by row in blocks of 8 by 8, and from what they hit: shadow rays to a lamp,
-/// mirrored rays and rays in random directions over the surface.
-std::vector<RayKindSet> raysFor(const TestMesh&);
+/// Rays of a picture of the mesh and from what they hit.
+std::vector<RaySet> raysFor(const TestMesh&);
 
 }
