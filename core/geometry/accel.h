@@ -16,6 +16,7 @@
 #include "core/geometry/placement.h"
 #include "core/geometry/ray.h"
 #include "core/geometry/shapes.h"
+#include "core/geometry/traversal_log.h"
 
 namespace eyeray {
 
@@ -74,10 +75,20 @@ std::optional<Hit> closestHit(const IndexedGeometry<Index>&, const Ray&, RayMask
 template <class Index>
 bool anyHit(const IndexedGeometry<Index>&, const Ray&, RayMask = RayMask::All);
 
+/// The same hits by the same way, with everything that the ray goes through put down.
+template <class Index>
+std::optional<Hit> closestHit(const IndexedGeometry<Index>&, const Ray&, RayMask, TraversalLog&);
+template <class Index>
+bool anyHit(const IndexedGeometry<Index>&, const Ray&, RayMask, TraversalLog&);
+
 template <>
 std::optional<Hit> closestHit(const IndexedGeometry<Bvh8>&, const Ray&, RayMask);
 template <>
 bool anyHit(const IndexedGeometry<Bvh8>&, const Ray&, RayMask);
+template <>
+std::optional<Hit> closestHit(const IndexedGeometry<Bvh8>&, const Ray&, RayMask, TraversalLog&);
+template <>
+bool anyHit(const IndexedGeometry<Bvh8>&, const Ray&, RayMask, TraversalLog&);
 
 /// The surface at a hit that closestHit returned for this ray, in world space. The geometric normal is the
 /// surface's own side also under mirroring transforms.

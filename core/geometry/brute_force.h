@@ -8,6 +8,7 @@
 
 #include "core/geometry/bounds.h"
 #include "core/geometry/ray.h"
+#include "core/geometry/traversal_log.h"
 
 namespace eyeray {
 
@@ -20,9 +21,9 @@ public:
             if (boxes[i].finite() && !boxes[i].empty()) entries_.push_back(i);
     }
 
-    /// Calls test(slot) for each entry until it returns true; whether it did.
-    template <class Test>
-    bool visit(const Ray&, const float& /*limit*/, Test&& test) const {
+    /// Calls test(slot) for each entry until it returns true; whether it did. No log hears of a node or box.
+    template <class Test, class Log = Unwatched>
+    bool visit(const Ray&, const float& /*limit*/, Test&& test, Log /*log*/ = {}) const {
         for (std::uint32_t slot = 0; slot < entries_.size(); ++slot)
             if (test(slot)) return true;
         return false;

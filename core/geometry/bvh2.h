@@ -10,6 +10,7 @@
 #include "core/geometry/bounds.h"
 #include "core/geometry/ray.h"
 #include "core/geometry/slab.h"
+#include "core/geometry/traversal_log.h"
 
 namespace eyeray {
 
@@ -34,9 +35,10 @@ public:
     Bvh2(std::span<const Bounds> boxes, int leafSize, const std::stop_token& stop, int atOnce = 1);
 
     /// Calls test(slot) for the entries whose boxes the ray may meet at t in [tMin, limit], roughly from near
-    /// to far, until it returns true; whether it did. `limit` may shrink meanwhile.
-    template <class Test>
-    bool visit(const Ray& ray, const float& limit, Test&& test) const;
+    /// to far, until it returns true; whether it did. `limit` may shrink meanwhile. `log`: Watched if it is
+    /// to be put down.
+    template <class Test, class Log = Unwatched>
+    bool visit(const Ray& ray, const float& limit, Test&& test, Log log = {}) const;
 
     /// Which box each slot stands for.
     std::span<const std::uint32_t> entries() const { return entries_; }
@@ -55,11 +57,13 @@ private:
     std::vector<std::uint32_t> entries_;
 };
 
-template <class Test>
-bool Bvh2::visit(const Ray& ray, const float& limit, Test&& test) const {
+template <class Test, class Log>
+bool Bvh2::visit(const Ray& ray, const float& limit, Test&& test, Log log) const {
     if (nodes_.empty()) return false;
     const RaySlab slab(ray, bounds_);
-    if (slab.enter(nodes_[0].corners, limit) == kInfinity) return false;
+    const bool meets = slab.enter(nodes_[0].corners, limit) != kInfinity;
+    log.boxes(BoxTests::kRoot, 1, meets ? 1U : 0U);
+    if (!meets) return false;
 
     struct Pending {
         std::uint32_t node;
@@ -69,9 +73,12 @@ bool Bvh2::visit(const Ray& ray, const float& limit, Test&& test) const {
     std::size_t pending = 0;
     const Node* node = nodes_.data();
     while (true) {
+        log.node();
         if (node->count == 0) {
             Pending near{node->first, slab.enter(nodes_[node->first].corners, limit)};
             Pending far{node->first + 1, slab.enter(nodes_[node->first + 1].corners, limit)};
+            log.boxes(static_cast<std::uint32_t>(node - nodes_.data()), 2,
+                      (near.enters != kInfinity ? 1U : 0U) | (far.enters != kInfinity ? 2U : 0U));
             if (far.enters < near.enters) std::swap(near, far);
             if (near.enters != kInfinity) {
                 if (far.enters != kInfinity) stack[pending++] = far;

@@ -3,6 +3,7 @@
 // S. Boulos 2008, "Getting Rid of Packets: Efficient SIMD Single-Ray Traversal using Multi-branching BVHs",
 // IEEE Symposium on Interactive Ray Tracing. It is traversed in bvh8_traversal.h.
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <span>
@@ -42,6 +43,11 @@ public:
     std::span<const Node> nodes() const { return nodes_; }
     std::size_t nodeCount() const { return nodes_.size(); }
     const Bounds& bounds() const { return bounds_; }
+    /// The boxes that a node really has.
+    static unsigned childrenOf(const Node& node) {
+        return static_cast<unsigned>(
+            std::ranges::count_if(node.corners[0][0], [](float x) { return x < kInfinity; }));
+    }
     std::size_t bytes() const {
         return nodes_.size() * sizeof(Node) + entries_.size() * sizeof(std::uint32_t);
     }

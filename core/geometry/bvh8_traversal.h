@@ -15,6 +15,7 @@
 #include "core/geometry/bvh8.h"
 #include "core/geometry/leaf_triangles.h"
 #include "core/geometry/slab.h"
+#include "core/geometry/traversal_log.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace eyeray::HWY_NAMESPACE {
@@ -86,8 +87,8 @@ inline std::uint32_t mayMeet(const TriangleBlock& block, const RayShear& shear) 
 
 /// Calls leaf(first slot, slots) for the leaves whose boxes the ray may meet at t in [tMin, limit], roughly
 /// from near to far, until it returns true; whether it did. `limit` may shrink meanwhile.
-template <class Leaf>
-bool traverse(const Bvh8& tree, const Ray& ray, const float& limit, Leaf&& leaf) {
+template <class Leaf, class Log>
+bool traverse(const Bvh8& tree, const Ray& ray, const float& limit, const Leaf& leaf, Log log) {
     if (tree.nodes().empty()) return false;
     struct Pending {
         float enters;
@@ -106,7 +107,10 @@ bool traverse(const Bvh8& tree, const Ray& ray, const float& limit, Leaf&& leaf)
         } else {
             const Bvh8::Node& node = tree.nodes()[child];
             const std::size_t bottom = pending;
-            for (std::uint32_t met = enterChildren(node, slab, limit, enters); met != 0; met &= met - 1) {
+            std::uint32_t met = enterChildren(node, slab, limit, enters);
+            log.node();
+            log.boxes(child, Bvh8::childrenOf(node), met);
+            for (; met != 0; met &= met - 1) {
                 const auto lane = static_cast<std::size_t>(std::countr_zero(met));
                 std::size_t place = pending++;
                 for (; place > bottom && stack[place - 1].enters < enters[lane]; --place)

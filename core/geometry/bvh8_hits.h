@@ -1,0 +1,89 @@
+// The way of a ray through all instances of a scene with Bvh8, compiled once for each instruction set: see
+// bvh8_traversal.h.
+#if defined(EYERAY_BVH8_HITS_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef EYERAY_BVH8_HITS_H
+#undef EYERAY_BVH8_HITS_H
+#else
+#define EYERAY_BVH8_HITS_H
+#endif
+
+#include "core/geometry/accel.h"
+#include "core/geometry/bvh8_traversal.h"
+#include "core/geometry/nearest_hit.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace eyeray::HWY_NAMESPACE {
+
+// Calls offer(hit) for hits at t in (tMin, limit) until it returns true; whether it did.
+template <class Offer, class Log>
+bool visitMesh(const IndexedMesh<Bvh8>& mesh, const Ray& local, const float& limit, const Offer& offer,
+               Log log) {
+    const RayShear shear(local);
+    const bool doubleSided = mesh.mesh->doubleSided;
+    const auto leaf = [&, log](std::uint32_t first, std::uint32_t count) {
+        const TriangleBlock& block = mesh.triangles.block(first);
+        for (const std::uint32_t triangle : mesh.index.entries().subspan(first, count))
+            log.triangle(triangle);
+        std::uint32_t lanes = mayMeet(block, shear) & ((1U << count) - 1U);
+        for (; lanes != 0; lanes &= lanes - 1) {
+            const auto lane = static_cast<std::uint32_t>(std::countr_zero(lanes));
+            auto hit = intersectCorners(block.triangle(lane), doubleSided, shear, local.tMin, limit);
+            if (!hit) continue;
+            hit->primitive = mesh.index.entries()[first + lane];
+            if (offer(*hit)) return true;
+        }
+        return false;
+    };
+    return traverse(mesh.index, local, limit, leaf, log);
+}
+
+template <class Offer, class Log>
+bool visitHits(const IndexedGeometry<Bvh8>& geometry, const Ray& ray, RayMask mask, const float& limit,
+               const Offer& offer, Log log) {
+    const auto inInstance = [&, log](std::uint32_t id) {
+        const Instance<Bvh8>& instance = geometry.instances[id];
+        if (!sees(mask, instance.mask)) return false;
+        const auto offerHere = [&](Hit hit) {
+            hit.instance = id;
+            return offer(hit);
+        };
+        Ray local = instance.placement.toObject(ray);
+        local.tMax = limit;
+        if (const Shape* shape = std::get_if<Shape>(&instance.geometry)) {
+            log.shape(id);
+            const auto hit = intersect(*shape, local);
+            return hit && offerHere(*hit);
+        }
+        const auto inMesh = log.into(id);
+        return visitMesh(**std::get_if<1>(&instance.geometry), local, limit, offerHere, inMesh);
+    };
+    for (const std::uint32_t id : geometry.always)
+        if (inInstance(id)) return true;
+    const auto leaf = [&](std::uint32_t first, std::uint32_t count) {
+        for (std::uint32_t slot = first; slot < first + count; ++slot)
+            if (inInstance(geometry.top.entries()[slot])) return true;
+        return false;
+    };
+    return traverse(geometry.top, ray, limit, leaf, log);
+}
+
+template <class Log>
+std::optional<Hit> closest(const IndexedGeometry<Bvh8>& geometry, const Ray& ray, RayMask mask, Log log) {
+    NearestHit nearest(ray);
+    const auto offer = [&](const Hit& hit) {
+        nearest.offer(hit);
+        return false;
+    };
+    visitHits(geometry, ray, mask, nearest.limit(), offer, log);
+    return nearest.get();
+}
+
+template <class Log>
+bool any(const IndexedGeometry<Bvh8>& geometry, const Ray& ray, RayMask mask, Log log) {
+    return visitHits(geometry, ray, mask, ray.tMax, [](const Hit&) { return true; }, log);
+}
+
+}
+HWY_AFTER_NAMESPACE();
+
+#endif
