@@ -30,6 +30,7 @@ std::size_t primitivesOf(const Scene& scene) {
 WorldMaterial prepared(const Material& material) {
     const MaterialNeeds needs = needsOf(material.model);
     return {.surface = std::visit([](const auto& model) { return surfaceOf(model); }, material.model),
+            .physical = std::visit([](const auto& model) { return physicalOf(model); }, material.model),
             .varies = needs.textured,
             .transmits = needs.transmits,
             .model = material.model};
@@ -75,16 +76,17 @@ public:
     }
 
     /// The glowing surface of an area lamp.
-    void addLamp(const Light& light) {
+    void addLamp(const Light& light, int id) {
         const DMat4 yAxisToMinusZ{DVec4(1, 0, 0, 0), DVec4(0, 0, -1, 0), DVec4(0, 1, 0, 0),
                                   DVec4(0, 0, 0, 1)};
         if (!light.enabled || light.followsCamera || !invertible(light.transform)) return;
         const auto lamp = [&](const Shape& shape, const DMat4& transform) {
             WorldMaterial glowing;
             glowing.surface.emission = light.color * static_cast<float>(light.intensity);
+            glowing.physical.emission = glowing.surface.emission;
             world_.materials.push_back(glowing);
             place(transform, shape, RayMask::Lamp,
-                  {.material = static_cast<std::uint32_t>(world_.materials.size() - 1)});
+                  {.material = static_cast<std::uint32_t>(world_.materials.size() - 1), .sceneLight = id});
         };
         std::visit(
             Overloaded{
@@ -185,7 +187,8 @@ std::shared_ptr<const Accel> index(const Scene& scene, World& world, const World
     Builder<Index> builder(scene, world, previous, stop);
     for (std::size_t i = 0; i < scene.objects.size() && !stop.stop_requested(); ++i)
         builder.add(scene.objects[i], static_cast<int>(i));
-    for (const Light& light : scene.lights) builder.addLamp(light);
+    for (std::size_t i = 0; i < scene.lights.size(); ++i)
+        builder.addLamp(scene.lights[i], static_cast<int>(i));
     return builder.finish();
 }
 

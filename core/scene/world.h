@@ -10,6 +10,7 @@
 
 #include "core/geometry/accel.h"
 #include "core/scene/needs.h"
+#include "core/scene/physical_surface.h"
 #include "core/scene/scene.h"
 #include "core/scene/surface.h"
 
@@ -29,8 +30,9 @@ inline constexpr std::size_t kBruteForceLimit = 4;
 /// A material ready for tracing: its surface, and what has to be read anew at each point, if anything.
 struct WorldMaterial {
     Surface surface;
-    bool varies = false;    // read textures: then `model` is evaluated at each hit
-    bool transmits = false; // anywhere
+    PhysicalSurface physical; // the same for the methods that keep to physics
+    bool varies = false;      // read textures: then `model` is evaluated at each hit
+    bool transmits = false;   // anywhere
     MaterialModel model;
 };
 
@@ -38,6 +40,7 @@ struct WorldMaterial {
 struct WorldObject {
     std::uint32_t material = 0;
     int sceneObject = -1; // id in Scene::objects; -1: the surface of a lamp
+    int sceneLight = -1;  // of the surface of a lamp: id in Scene::lights
     bool solid = false;   // has an inside: rays that pass its surface change medium
     bool vertexColors = false;
 };
@@ -83,6 +86,8 @@ std::shared_ptr<const World> buildWorld(const std::shared_ptr<const Scene>&, con
 /// coordinates.
 template <class Uv>
 Surface surfaceAt(const World&, const WorldMaterial&, const Uv& uv, const Color& vertexColor);
+template <class Uv>
+PhysicalSurface physicalAt(const World&, const WorldMaterial&, const Uv& uv, const Color& vertexColor);
 
 }
 

@@ -15,25 +15,25 @@ Color read(const Scene& scene, const TextureRef& ref, const Uv& uv, TextureCodin
     return textureValue(scene, texture, ref.transformed(uv(ref.uvSet)), coding);
 }
 
+/// The material with its textures read, for this point alone.
 template <class Uv>
-Surface readSurface(const Scene& scene, const TaughtMaterial& material, const Uv& uv,
-                    const Color& vertexColor) {
-    Surface surface = surfaceOf(material);
+TaughtMaterial readMaterial(const Scene& scene, TaughtMaterial material, const Uv& uv,
+                            const Color& vertexColor) {
     const Color factor = vertexColor * read(scene, material.diffuseTexture, uv, TextureCoding::Srgb);
-    surface.ambient *= factor;
-    surface.diffuse *= factor;
-    return surface;
+    material.ambient *= factor;
+    material.diffuse *= factor;
+    return material;
 }
 
 template <class Uv>
-Surface readSurface(const Scene& scene, GltfMaterial material, const Uv& uv, const Color& vertexColor) {
+GltfMaterial readMaterial(const Scene& scene, GltfMaterial material, const Uv& uv, const Color& vertexColor) {
     material.baseColor *= vertexColor * read(scene, material.baseColorTexture, uv, TextureCoding::Srgb);
     const Color metallicRoughness = read(scene, material.metallicRoughnessTexture, uv, TextureCoding::Linear);
     material.metallic *= metallicRoughness.b;
     material.roughness *= metallicRoughness.g;
     material.emissive *= read(scene, material.emissiveTexture, uv, TextureCoding::Srgb);
     material.transmission *= read(scene, material.transmissionTexture, uv, TextureCoding::Linear).r;
-    return surfaceOf(material);
+    return material;
 }
 
 }
@@ -41,7 +41,19 @@ Surface readSurface(const Scene& scene, GltfMaterial material, const Uv& uv, con
 template <class Uv>
 Surface surfaceAt(const World& world, const WorldMaterial& material, const Uv& uv, const Color& vertexColor) {
     return std::visit(
-        [&](const auto& model) { return detail::readSurface(*world.scene, model, uv, vertexColor); },
+        [&](const auto& model) {
+            return surfaceOf(detail::readMaterial(*world.scene, model, uv, vertexColor));
+        },
+        material.model);
+}
+
+template <class Uv>
+PhysicalSurface physicalAt(const World& world, const WorldMaterial& material, const Uv& uv,
+                           const Color& vertexColor) {
+    return std::visit(
+        [&](const auto& model) {
+            return physicalOf(detail::readMaterial(*world.scene, model, uv, vertexColor));
+        },
         material.model);
 }
 
