@@ -17,7 +17,14 @@ double largestEntry(const DMat3& m) {
     return largest;
 }
 
-bool scalesEvenly(const Mat3& m) { return m[0][0] > 0 && m == m[0][0] * Mat3(1); }
+// The signs of the diagonal of a map that scales all axes alike and may mirror some; else zero.
+Vec3 mirrorsOf(const Mat3& m) {
+    const float scale = std::fabs(m[0][0]);
+    const Vec3 signs(std::copysign(1.0F, m[0][0]), std::copysign(1.0F, m[1][1]),
+                     std::copysign(1.0F, m[2][2]));
+    const Mat3 even(Vec3(scale * signs.x, 0, 0), Vec3(0, scale * signs.y, 0), Vec3(0, 0, scale * signs.z));
+    return scale > 0 && m == even ? signs : Vec3(0);
+}
 
 }
 
@@ -26,7 +33,7 @@ Placement::Placement(const DMat4& objectToWorld)
     const DMat3 normals = glm::transpose(DMat3(worldToObject_.linear));
     normals_ = Mat3(normals / largestEntry(normals));
     translates_ = objectToWorld_.linear == Mat3(1);
-    keepsNormals_ = scalesEvenly(objectToWorld_.linear);
+    mirrors_ = mirrorsOf(objectToWorld_.linear);
 
     const DMat3 there = absolute(objectToWorld_.linear), back = absolute(worldToObject_.linear);
     const DVec3 moved = glm::abs(DVec3(objectToWorld_.translation));

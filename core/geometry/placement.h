@@ -53,16 +53,17 @@ public:
 
 private:
     Vec3 normal(const Vec3& n) const {
-        if (keepsNormals_) return n;
+        if (mirrors_ != Vec3(0)) return mirrors_ * n;
         const DVec3 mapped(normals_ * n);
         return Vec3(mapped / std::sqrt(glm::dot(mapped, mapped)));
     }
 
     Affine objectToWorld_, worldToObject_;
-    Mat3 normals_;                   // the inverse transpose, scaled to entries up to 1
-    Mat3 errorGrowth_;               // of errorAt: per metre of the point's distance from the origin
-    Vec3 errorBase_;                 // of errorAt: at the origin
-    bool translates_, keepsNormals_; // moves only; moves, and scales evenly
+    Mat3 normals_;     // the inverse transpose, scaled to entries up to 1
+    Mat3 errorGrowth_; // of errorAt: per metre of the point's distance from the origin
+    Vec3 errorBase_;   // of errorAt: at the origin
+    Vec3 mirrors_;     // of a map that scales evenly: the signs of its axes; else zero
+    bool translates_;  // moves only
 };
 
 }
