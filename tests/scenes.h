@@ -95,6 +95,18 @@ inline void look(Scene& scene, const DVec3& eye, const DVec3& target, double fov
     camera.verticalFov = radians(fovDegrees);
 }
 
+/// The scene under a map, as a node above all of it would put it; lamps' transforms included.
+inline Scene mapped(Scene scene, const DMat4& map) {
+    for (Object& object : scene.objects) object.transform = map * object.transform;
+    for (Light& light : scene.lights) light.transform = map * light.transform;
+    for (Camera& camera : scene.cameras) {
+        camera.eye = transformPoint(map, camera.eye);
+        camera.target = transformPoint(map, camera.target);
+        camera.up = transformVector(map, camera.up);
+    }
+    return scene;
+}
+
 /// Settings that cut nothing off but at a depth.
 inline TraceSettings toDepth(int depth) {
     TraceSettings settings;

@@ -42,18 +42,6 @@ Scene mixedScene(std::uint32_t seed) {
     return scene;
 }
 
-/// The scene under a map, as a node above all of it would put it; lamps' transforms included.
-Scene mapped(Scene scene, const DMat4& map) {
-    for (Object& object : scene.objects) object.transform = map * object.transform;
-    for (Light& light : scene.lights) light.transform = map * light.transform;
-    for (Camera& camera : scene.cameras) {
-        camera.eye = transformPoint(map, camera.eye);
-        camera.target = transformPoint(map, camera.target);
-        camera.up = transformVector(map, camera.up);
-    }
-    return scene;
-}
-
 struct Difference {
     double rms = 0;
     int pixels = 0; // that differ by more than half a code of an 8-bit display

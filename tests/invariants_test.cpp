@@ -1,0 +1,145 @@
+// labels: image
+// What must hold of every built-in scene's picture whatever it shows (stability 1.4): other indices and
+// threads, the scene moved, mirrored, its lamps one by one or twice as bright, its samples in parts.
+
+#include <algorithm>
+#include <filesystem>
+
+#include <gtest/gtest.h>
+
+#include "core/render/render_session.h"
+#include "core/scene/gltf.h"
+#include "tests/geometry_cases.h"
+#include "tests/scenes.h"
+
+namespace eyeray {
+namespace {
+
+using namespace scenes;
+
+constexpr int kWidth = 64, kHeight = 36;
+
+std::vector<std::filesystem::path> sceneFiles() {
+    std::vector<std::filesystem::path> files;
+    for (const auto& entry :
+         std::filesystem::directory_iterator(std::filesystem::path(EYERAY_SOURCE_DIR) / "assets/scenes"))
+        files.push_back(entry.path());
+    std::ranges::sort(files);
+    return files;
+}
+
+/// Pixels that differ by more than `relative` of the second, or of 1 where it is darker.
+int different(const std::vector<Color>& a, const std::vector<Color>& b, float relative = 0) {
+    EXPECT_EQ(a.size(), b.size());
+    int count = 0;
+    for (std::size_t i = 0; i < a.size(); ++i)
+        if (!isNear(a[i], b[i], relative * std::max(1.0F, maxComponent(b[i])))) ++count;
+    return count;
+}
+
+std::vector<Color> scaled(std::vector<Color> picture, float factor) {
+    for (Color& c : picture) c *= factor;
+    return picture;
+}
+
+std::vector<Color> sum(std::vector<Color> a, const std::vector<Color>& b, float factor = 1) {
+    for (std::size_t i = 0; i < a.size(); ++i) a[i] += factor * b[i];
+    return a;
+}
+
+class BuiltInPicture : public testing::TestWithParam<std::filesystem::path> {
+protected:
+    std::vector<Color> pictureOf(const Scene& changed, AccelKind accel = AccelKind::Auto) const {
+        const TileResult tile = Tracing(changed, settings, kWidth, kHeight, accel).tile();
+        EXPECT_EQ(tile.counts.invalidSamples, 0U);
+        EXPECT_TRUE(std::ranges::all_of(tile.radiance, [](const Color& c) { return isFinite(c); }));
+        return tile.radiance;
+    }
+
+    ImportReport report;
+    const Scene scene = importGltf(GetParam(), report);
+    const TraceSettings settings = toDepth(5);
+    const std::vector<Color> picture = pictureOf(scene);
+};
+
+TEST_P(BuiltInPicture, IsTheSameByEveryIndex) {
+    for (const AccelKind accel : {AccelKind::Brute, AccelKind::Bvh2, AccelKind::Bvh8})
+        EXPECT_EQ(different(picture, pictureOf(scene, accel)), 0);
+}
+
+TEST_P(BuiltInPicture, IsTheSameOnAnyNumberOfThreadsAndInParts) {
+    const auto world = buildWorld(std::make_shared<const Scene>(scene), {});
+    const auto rendered = [&](int threads, int firstPass, int samples) {
+        RenderSession session(threads);
+        RenderSettings render;
+        render.width = kWidth;
+        render.height = kHeight;
+        render.trace = settings;
+        render.firstPass = firstPass;
+        render.stop = {.samples = samples};
+        session.start(world, scene.cameras.front(), render);
+        while (session.wait(std::chrono::milliseconds(1000)).active()) {
+        }
+        return session.image().values();
+    };
+    const std::vector<Color> whole = rendered(1, 0, 8);
+    EXPECT_EQ(different(whole, rendered(3, 0, 8)), 0);
+    std::vector<Color> parts(whole.size(), Color(0));
+    for (int part = 0; part < 4; ++part) parts = sum(parts, rendered(2, 2 * part, 2), 0.25F);
+    EXPECT_EQ(different(whole, parts, 1e-5F), 0);
+}
+
+TEST_P(BuiltInPicture, IsTheSameOfTheSceneMovedByANode) {
+    EXPECT_EQ(different(picture, pictureOf(mapped(scene, at({200, -30, 50}))), 1e-5F), 0);
+}
+
+TEST_P(BuiltInPicture, IsTheSameWhateverTheOrderOfTheObjects) {
+    Scene shuffled = scene;
+    cases::Random random(1);
+    for (std::size_t i = shuffled.objects.size(); i > 1; --i)
+        std::swap(shuffled.objects[i - 1],
+                  shuffled.objects[static_cast<std::size_t>(random.below(static_cast<int>(i)))]);
+    EXPECT_EQ(different(picture, pictureOf(shuffled)), 0);
+}
+
+TEST_P(BuiltInPicture, OfTheMirroredSceneIsMirroredBitForBit) {
+    const DMat4 flip = glm::scale(DMat4(1), DVec3(-1, 1, 1));
+    Scene turned = mapped(scene, flip);
+    std::vector<Color> mirrored = pictureOf(turned);
+    for (std::size_t y = 0; y < kHeight; ++y)
+        std::reverse(mirrored.begin() + static_cast<std::ptrdiff_t>(y * kWidth),
+                     mirrored.begin() + static_cast<std::ptrdiff_t>((y + 1) * kWidth));
+    EXPECT_EQ(different(picture, mirrored), 0);
+}
+
+TEST_P(BuiltInPicture, OfTwiceTheLightIsTwiceAsBrightBitForBit) {
+    Scene twice = scene;
+    for (Light& light : twice.lights) light.intensity *= 2;
+    twice.ambient *= 2;
+    for (Color* c : {&twice.environment.zenith, &twice.environment.horizon, &twice.environment.nadir})
+        *c *= 2;
+    for (Material& material : twice.materials) {
+        if (auto* taught = std::get_if<TaughtMaterial>(&material.model)) taught->emission *= 2;
+        if (auto* gltf = std::get_if<GltfMaterial>(&material.model)) gltf->emissiveStrength *= 2;
+    }
+    EXPECT_EQ(different(scaled(picture, 2), pictureOf(twice)), 0);
+}
+
+TEST_P(BuiltInPicture, IsTheSumOfThoseByEachLamp) {
+    Scene dark = scene;
+    for (Light& light : dark.lights) light.intensity = 0; // its surface stays
+    const std::vector<Color> base = pictureOf(dark);
+    std::vector<Color> all = base;
+    for (std::size_t i = 0; i < scene.lights.size(); ++i) {
+        Scene alone = dark;
+        alone.lights[i] = scene.lights[i];
+        all = sum(sum(all, pictureOf(alone)), base, -1);
+    }
+    EXPECT_EQ(different(picture, all, 1e-5F), 0);
+}
+
+INSTANTIATE_TEST_SUITE_P(Assets, BuiltInPicture, testing::ValuesIn(sceneFiles()),
+                         [](const auto& file) { return file.param.stem().string(); });
+
+}
+}
