@@ -41,6 +41,8 @@ TEST_F(Bench, TellsEachIndexKindAndNumberOfThreadsInJson) {
         for (const auto& [name, count] : figure["rays"].items())
             EXPECT_EQ(count.get<int>() > 0, name == kind) << name;
         EXPECT_GT(figure["mrays_per_second"], 0);
+        for (const char* key : {"nodes", "boxes", "primitives"})
+            EXPECT_GE(figure["per_ray"].at(key).get<double>(), 0) << key;
         EXPECT_EQ(figure["accelerator"]["primitives"], 4);
         kinds.insert(kind);
         indices.insert(figure["accelerator"]["kind"].get<std::string>());

@@ -104,8 +104,7 @@ TEST_P(BuiltInPicture, IsTheSameWhateverTheOrderOfTheObjects) {
 
 TEST_P(BuiltInPicture, OfTheMirroredSceneIsMirroredBitForBit) {
     const DMat4 flip = glm::scale(DMat4(1), DVec3(-1, 1, 1));
-    Scene turned = mapped(scene, flip);
-    std::vector<Color> mirrored = pictureOf(turned);
+    std::vector<Color> mirrored = pictureOf(mapped(scene, flip));
     for (std::size_t y = 0; y < kHeight; ++y)
         std::reverse(mirrored.begin() + static_cast<std::ptrdiff_t>(y * kWidth),
                      mirrored.begin() + static_cast<std::ptrdiff_t>((y + 1) * kWidth));

@@ -69,6 +69,17 @@ TEST(RaySets, AreHitAlikeByEveryIndexOnAnyNumberOfThreads) {
     }
 }
 
+TEST(RaySets, MeetEveryPrimitiveByBruteForceAndFewByATree) {
+    const Scene scene = balls();
+    const auto brute = worldOf(scene, AccelKind::Brute), tree = worldOf(scene, AccelKind::Bvh8);
+    const RaySet eye = raySets(*brute, scene.cameras.front(), kSide).front();
+    const TraversalCounts all = countTraversal(*brute->accel, eye), few = countTraversal(*tree->accel, eye);
+    EXPECT_EQ(all.primitives, 51 * eye.rays.size());
+    EXPECT_EQ(all.nodes, 0U);
+    EXPECT_LT(few.primitives, all.primitives / 5);
+    EXPECT_GT(few.nodes, 0U);
+}
+
 TEST(RaySets, OfASceneWithoutLampOrHitAreThereToo) {
     Scene scene = underSky(Color(0));
     EXPECT_EQ(raySets(*worldOf(scene, AccelKind::Brute), scene.cameras.front(), 8)[3].rays.size(), 0U);
@@ -81,11 +92,19 @@ TEST(Thinned, TakesWholeBlocksEvenlySpreadAndAtLeastOne) {
     for (std::size_t i = 0; i < rays.size(); ++i) rays[i].tMin = static_cast<float>(i);
     EXPECT_EQ(thinned(rays, 5000).size(), 1000U);
     EXPECT_EQ(thinned(rays, 0).size(), 64U);
-    const auto some = thinned(rays, 200); // 4 blocks: the first, fifth, ninth and thirteenth
-    ASSERT_EQ(some.size(), 256U);
-    for (const std::size_t block : {0U, 1U, 2U, 3U})
-        for (const std::size_t i : {0U, 63U})
-            EXPECT_EQ(some[block * 64 + i].tMin, static_cast<float>(block * 256 + i));
+    std::vector<Ray> picture(64 * 1024); // 32 blocks in each of 32 rows
+    for (std::size_t i = 0; i < picture.size(); ++i) picture[i].tMin = static_cast<float>(i);
+    const auto some = thinned(picture, 64 * 32);
+    ASSERT_EQ(some.size(), 64U * 32U);
+    double column = 0;
+    for (std::size_t block = 0; block < 32; ++block) {
+        const auto first = static_cast<std::size_t>(some[block * 64].tMin);
+        EXPECT_EQ(first % 64, 0U);
+        EXPECT_EQ(first / 64 / 32, block) << "one from each row";
+        EXPECT_EQ(some[block * 64 + 63].tMin, static_cast<float>(first + 63));
+        column += static_cast<double>(first / 64 % 32) / 32;
+    }
+    EXPECT_NEAR(column, 15.5, 6) << "from any column";
 }
 
 TEST(Series, HasItsMedianAndHalfItsInterquartileRange) {

@@ -21,6 +21,8 @@ struct BenchFigure {
     RayKind kind = RayKind::Eye;
     std::size_t rays = 0, hits = 0; // of each round
     Series seconds;                 // of a round
+    TraversalCounts counts;         // of as many of them as `counted`
+    std::size_t counted = 0;
 
     double mraysPerSecond() const { return static_cast<double>(rays) * 1e-6 / seconds.median; }
 };

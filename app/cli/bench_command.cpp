@@ -113,7 +113,10 @@ private:
         std::vector<std::vector<double>> seconds(result_.indices.size());
         for (std::size_t i = 0; i < result_.indices.size(); ++i) {
             sets.push_back(filling(set, *result_.indices[i].world->accel, pool));
-            figures.push_back({i, pool.threads(), set.kind, sets.back().rays.size(), 0, {}});
+            figures.push_back({i, pool.threads(), set.kind, sets.back().rays.size(), 0, {}, {}, 0});
+            const RaySet few{set.kind, set.anyHit, thinned(sets.back().rays, kRaysToTry)};
+            figures.back().counts = countTraversal(*result_.indices[i].world->accel, few);
+            figures.back().counted = few.rays.size();
         }
         const auto start = Clock::now();
         for (int round = 0; round < kLeastRounds || secondsSince(start) < setSeconds_; ++round)

@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 
 #include "app/cli/bench.h"
@@ -15,24 +16,47 @@ std::string speedOf(const BenchFigure& figure) {
     return fmt::format("{:.2f} ±{:2.0f}%", figure.mraysPerSecond(), 100 * relative);
 }
 
-std::string lineOf(const BenchedScene& scene, std::size_t index, int threads) {
-    const World& world = *scene.indices[index].world;
-    std::string line =
-        fmt::format("{:<8}{:>8}", kAccelNames[static_cast<std::size_t>(world.accelKind)], threads);
+double perRay(const BenchFigure& figure, std::uint64_t count) {
+    return static_cast<double>(count) / static_cast<double>(figure.counted);
+}
+
+std::string workOf(const BenchFigure& figure) {
+    return fmt::format("{:.1f} + {:.1f}", perRay(figure, figure.counts.nodes),
+                       perRay(figure, figure.counts.primitives));
+}
+
+/// A cell for each kind of rays; empty if no figure has this index and number of threads.
+std::string cellsOf(const BenchedScene& scene, std::size_t index, int threads,
+                    std::string (*cell)(const BenchFigure&)) {
+    std::string cells;
     bool any = false;
     for (const RayKind kind : kColumns) {
-        std::string cell = "-";
-        for (const BenchFigure& f : scene.figures)
-            if (f.index == index && f.threads == threads && f.kind == kind) {
-                cell = speedOf(f);
-                any = true;
-            }
-        line += fmt::format("{:>15}", cell);
+        const auto figure = std::ranges::find_if(scene.figures, [&](const BenchFigure& f) {
+            return f.index == index && f.threads == threads && f.kind == kind;
+        });
+        any |= figure != scene.figures.end();
+        cells += fmt::format("{:>15}", figure != scene.figures.end() ? cell(*figure) : "-");
     }
-    if (!any) return {};
-    return line + fmt::format("{:>11.1f}{:>10.1f}\n", scene.indices[index].buildSeconds * 1e3,
-                              static_cast<double>(world.bytes) /
-                                  static_cast<double>(std::max<std::size_t>(1, world.primitives)));
+    return any ? cells : "";
+}
+
+/// A line for each number of threads, and one for the work that a ray makes.
+std::string linesOf(const BenchedScene& scene, std::size_t index) {
+    const World& world = *scene.indices[index].world;
+    const std::size_t primitives = std::max<std::size_t>(1, world.primitives);
+    std::string lines;
+    int last = 0;
+    for (const BenchFigure& figure : scene.figures) { // by ascending numbers of threads
+        if (figure.threads <= last) continue;
+        last = figure.threads;
+        lines += fmt::format("{:<8}{:>8}{}{:>11.1f}{:>10.1f}\n",
+                             kAccelNames[static_cast<std::size_t>(world.accelKind)], last,
+                             cellsOf(scene, index, last, speedOf), scene.indices[index].buildSeconds * 1e3,
+                             static_cast<double>(world.bytes) / static_cast<double>(primitives));
+    }
+    if (last == 0) return {};
+    return lines +
+           fmt::format("  nodes + tests {}\n", cellsOf(scene, index, scene.figures.front().threads, workOf));
 }
 
 nlohmann::json jsonOf(const BenchedScene& scene, const BenchFigure& figure) {
@@ -56,6 +80,10 @@ nlohmann::json jsonOf(const BenchedScene& scene, const BenchFigure& figure) {
               {"spread", figure.seconds.spread}}},
             {"rays", rays},
             {"hits", figure.hits},
+            {"per_ray",
+             {{"nodes", perRay(figure, figure.counts.nodes)},
+              {"boxes", perRay(figure, figure.counts.boxes)},
+              {"primitives", perRay(figure, figure.counts.primitives)}}},
             {"mrays_per_second", figure.mraysPerSecond()},
             {"accelerator", acceleratorFigures(*index.world)},
             {"invalid_samples", 0},
@@ -66,18 +94,12 @@ nlohmann::json jsonOf(const BenchedScene& scene, const BenchFigure& figure) {
 
 std::string textOf(const BenchedScene& scene) {
     std::string text =
-        fmt::format("{}: {} primitives, Mrays/s (median and spread of rounds in turn)\n{:<8}{:>8}",
+        fmt::format("{}: {} primitives, Mrays/s (median and spread of rounds in turn); nodes and primitives "
+                    "tested a ray\n{:<8}{:>8}",
                     scene.reference, scene.indices.front().world->primitives, "index", "threads");
     for (const RayKind kind : kColumns) text += fmt::format("{:>15}", name(kind));
     text += fmt::format("{:>11}{:>10}\n", "build ms", "B/prim.");
-    for (std::size_t index = 0; index < scene.indices.size(); ++index) {
-        int last = 0;
-        for (const BenchFigure& figure : scene.figures) {
-            if (figure.threads <= last) continue;
-            last = figure.threads;
-            text += lineOf(scene, index, last);
-        }
-    }
+    for (std::size_t index = 0; index < scene.indices.size(); ++index) text += linesOf(scene, index);
     return text + "\n";
 }
 

@@ -105,7 +105,8 @@ std::vector<Ray> thinned(std::span<const Ray> rays, std::size_t count) {
     std::vector<Ray> result;
     result.reserve(wanted * kBlockRays);
     for (std::size_t i = 0; i < wanted; ++i) {
-        const auto block = rays.subspan(i * blocks / wanted * kBlockRays);
+        const std::size_t jitter = hash32(static_cast<std::uint32_t>(i)) % blocks; // else all in one column
+        const auto block = rays.subspan((i * blocks + jitter) / wanted * kBlockRays);
         const auto part = block.first(std::min(kBlockRays, block.size()));
         result.insert(result.end(), part.begin(), part.end());
     }
@@ -129,6 +130,22 @@ TracedSet trace(const Accel& accel, const RaySet& set, ThreadPool& pool) {
         },
         accel);
     return {std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count(), hits};
+}
+
+TraversalCounts countTraversal(const Accel& accel, const RaySet& set) {
+    const FloatEnvironment environment;
+    TraversalLog log;
+    log.countsOnly = true;
+    std::visit(
+        [&](const auto& geometry) {
+            for (const Ray& ray : set.rays)
+                if (set.anyHit)
+                    anyHit(geometry, ray, RayMask::All, log);
+                else
+                    closestHit(geometry, ray, RayMask::All, log);
+        },
+        accel);
+    return log.counts;
 }
 
 }

@@ -7,6 +7,7 @@
 #include "core/base/ray_kind.h"
 #include "core/base/thread_pool.h"
 #include "core/geometry/accel.h"
+#include "core/geometry/traversal_log.h"
 #include "core/scene/world.h"
 #include "core/transport/trace_context.h"
 
@@ -38,7 +39,7 @@ std::vector<RaySet> raySets(const IndexedGeometry<Index>&, const EyeRays&, int s
 /// has a place, one is above the eye.
 std::vector<RaySet> raySets(const World&, const Camera&, int side);
 
-/// About `count` of the rays, in whole blocks evenly spread over them.
+/// About `count` of the rays: whole blocks, one from anywhere in each of as many equal parts.
 std::vector<Ray> thinned(std::span<const Ray>, std::size_t count);
 
 struct TracedSet {
@@ -47,5 +48,8 @@ struct TracedSet {
 };
 /// Traces each ray of the set once, on all threads of the pool.
 TracedSet trace(const Accel&, const RaySet&, ThreadPool&);
+
+/// What the rays of the set go through in the index.
+TraversalCounts countTraversal(const Accel&, const RaySet&);
 
 }
