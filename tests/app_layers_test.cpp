@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "app/rayview/rasteriser.h"
 #include "core/image/atomic_file.h"
 #include "core/image/decode.h"
 #include "core/image/metrics.h"
@@ -249,6 +250,17 @@ TEST(CompareUi, TheOtherSideMayHaveAnotherViewOrExposureAndFollowsTheCamera) {
     EXPECT_EQ(screen.viewer.status().phase, RenderStatus::Phase::Finished);
 }
 
+TEST(CompareUi, AnotherExposureIsCountedAnew) {
+    Screen screen;
+    run(screen, "compare with=\"shadows=off\"");
+    const std::size_t before = screen.viewer.comparison().change()->changed;
+    ASSERT_GT(before, 0U);
+    run(screen, "set exposure=-20");
+    EXPECT_EQ(screen.viewer.comparison().change()->changed, 0U) << "black beside black";
+    run(screen, "set exposure=0");
+    EXPECT_EQ(screen.viewer.comparison().change()->changed, before);
+}
+
 TEST(CompareUi, APauseHoldsBothSidesAndAllGoesOnAfterIt) {
     Screen screen;
     screen.press("Space");
@@ -285,7 +297,56 @@ TEST(CompareUi, TheOtherSideMayBeWhatOpenGLDraws) {
         if (std::abs(x - middle) > 12) {
             EXPECT_EQ(split.at(x, row), (x < middle ? raster : traced).at(x, row)) << x;
         }
-    EXPECT_FALSE(screen.viewer.comparison().active()) << "nothing else is traced";
+    EXPECT_EQ(screen.viewer.comparison().session(), nullptr) << "nothing else is traced";
+}
+
+/// What OpenGL draws of the screen's document by itself.
+ColorImage rasterised(Screen& screen) {
+    const PictureSize size = screen.viewer.pictureSize();
+    return Rasteriser(screen.platform.gl())
+        .draw(screen.viewer.world(), screen.document().camera, size.width, size.height)
+        .radiance;
+}
+
+TEST(CompareUi, TheDifferenceFromWhatOpenGLDrawsIsThatOfTheTwoPictures) {
+    Screen screen;
+    run(screen, "compare with=rasterised difference=on gain=3");
+    const DisplaySettings& shown = screen.document().render.display;
+    const auto expect = [&] {
+        const ColorImage own = screen.viewer.session().image(), other = rasterised(screen);
+        ASSERT_TRUE(screen.viewer.comparison().change());
+        const PictureChange& change = *screen.viewer.comparison().change();
+        EXPECT_EQ(change.samples, kSamples);
+        EXPECT_EQ(change.changed, countDifferingPixels(display(own, shown), display(other, shown)));
+        EXPECT_GT(change.changed, 0U);
+        EXPECT_EQ(change.there.total(), 0U) << "it traces no ray";
+        EXPECT_EQ(change.here.rays, screen.viewer.status().counts.rays);
+        ColorImage difference = own;
+        for (std::size_t i = 0; i < own.values().size(); ++i)
+            difference.values()[i] = glm::abs(own.values()[i] - other.values()[i]) * 3.0F;
+        EXPECT_EQ(sameAbove(shownPicture(screen), display(difference, shown)), 1.0);
+    };
+    expect();
+    run(screen, "orbit yaw=25");
+    expect();
+    run(screen, "set exposure=1");
+    expect();
+    run(screen, "compare on=off");
+    EXPECT_FALSE(screen.viewer.comparison().change());
+}
+
+TEST(CompareUi, WhereNothingButEyeRaysIsTracedFewPixelsDifferFromOpenGL) {
+    Screen screen("knot");
+    run(screen, "set method=local samples=1");
+    run(screen, "compare with=rasterised");
+    const PictureChange local = *screen.viewer.comparison().change();
+    run(screen, "set method=whitted");
+    const PictureChange whitted = *screen.viewer.comparison().change();
+    const auto unlike = [](const PictureChange& change) {
+        return std::count_if(change.difference.values().begin(), change.difference.values().end(),
+                             [](const Color& c) { return maxComponent(c) > 0.01F; });
+    };
+    EXPECT_LT(20 * unlike(local), unlike(whitted));
 }
 
 }

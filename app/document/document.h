@@ -30,7 +30,6 @@ struct Comparison {
     double gain = 1;
 
     bool isRasterised() const { return with == kRasterised; }
-    bool showsDifference() const { return difference && !isRasterised(); }
     friend bool operator==(const Comparison&, const Comparison&) = default;
 };
 

@@ -84,7 +84,7 @@ void comparePanel(const Widgets& ui) {
     presets(ui, comparison);
     anySettings(ui, comparison);
     ui.partNumber({"compare"}, "Gain", "gain", comparison.gain, 1, 100, "%.0f x", true);
-    if (!comparison.on || comparison.isRasterised()) return;
+    if (!comparison.on) return;
     const auto& change = ui.viewer.comparison().change();
     if (!change) return dimmedText("tracing both sides");
     dimmedText(changeText(*change));

@@ -59,12 +59,11 @@ void CompareView::refresh(const Viewer& viewer) {
     if (const RenderSession* const session = viewer.comparison().session())
         other_.refresh(*session, otherSide(document).render.display);
     const auto& change = viewer.comparison().change();
-    if (!comparison.showsDifference() || !change) return;
+    if (!comparison.difference || !change) return;
     const auto gain = static_cast<float>(comparison.gain);
     const DisplaySettings& display = document.render.display;
-    if (change->samples == differenceSamples_ && gain == differenceGain_ && display == differenceDisplay_)
-        return;
-    differenceSamples_ = change->samples;
+    if (change == change_ && gain == differenceGain_ && display == differenceDisplay_) return;
+    change_ = change;
     differenceGain_ = gain;
     differenceDisplay_ = display;
     ColorImage amplified = change->difference;
@@ -74,7 +73,7 @@ void CompareView::refresh(const Viewer& viewer) {
 
 void CompareView::handle(const Widgets& ui, ImVec2 corner, ImVec2 size) {
     const Document& document = ui.viewer.document();
-    if (document.comparison.showsDifference()) return;
+    if (document.comparison.difference) return;
     const float grip = kGrip * ui.scale;
     ImGui::SetCursorScreenPos({lineAt(document, corner, size) - grip, corner.y});
     ImGui::InvisibleButton("split line", {2 * grip, size.y});
@@ -90,7 +89,7 @@ void CompareView::draw(const Widgets& ui, const GlTexture& raster, ImVec2 corner
     const Document& document = ui.viewer.document();
     ImDrawList& list = *ImGui::GetWindowDrawList();
     const ImVec2 opposite{corner.x + size.x, corner.y + size.y};
-    if (document.comparison.showsDifference() && !wholly) {
+    if (document.comparison.difference && !wholly) {
         if (ui.viewer.comparison().change() && difference_.width() > 0)
             list.AddImage(textureId(difference_), corner, opposite);
         return;
@@ -123,7 +122,6 @@ void CompareView::splitLine(const Widgets& ui, ImVec2 corner, ImVec2 size) const
 
 void CompareView::legend(const Widgets& ui, const LegendPlace& place) const {
     const Comparison& comparison = ui.viewer.document().comparison;
-    if (comparison.isRasterised()) return;
     const auto& change = ui.viewer.comparison().change();
     legendPane(ui, "compare legend", place, [&] {
         if (comparison.difference) {

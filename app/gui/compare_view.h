@@ -39,7 +39,7 @@ private:
 
     FilmTexture other_;
     GlTexture difference_;
-    int differenceSamples_ = 0;
+    std::shared_ptr<const PictureChange> change_; // that difference_ shows
     float differenceGain_ = 0;
     DisplaySettings differenceDisplay_;
 };

@@ -79,8 +79,10 @@ void PictureView::refresh(const Widgets& ui) {
     const Comparison& comparison = ui.viewer.document().comparison;
     film_.refresh(ui.viewer.session(), ui.viewer.document().render.display);
     layer_.refresh(ui.viewer);
+    const bool comparesRaster = comparison.on && comparison.isRasterised();
+    if (rasterised_ || comparesRaster) raster_.refresh(ui.viewer);
+    ui.viewer.compareWith(comparesRaster ? raster_.radiance() : nullptr);
     if (comparison.on) compare_.refresh(ui.viewer);
-    if (rasterised_ || (comparison.on && comparison.isRasterised())) raster_.refresh(ui.viewer);
 }
 
 void PictureView::image(const Widgets& ui, ImVec2 corner, ImVec2 size, bool other) const {

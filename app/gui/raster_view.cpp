@@ -9,8 +9,9 @@ void RasterView::refresh(const Viewer& viewer) {
     const DrawnFor now{viewer.world(), document.camera, viewer.pictureSize(), document.render.display};
     if (!now.world || now == drawnFor_) return;
     if (!rasteriser_) rasteriser_.emplace(gl_);
-    shown_ = display(rasteriser_->draw(now.world, now.camera, now.size.width, now.size.height).radiance,
-                     now.display);
+    radiance_ = std::make_shared<const ColorImage>(
+        rasteriser_->draw(now.world, now.camera, now.size.width, now.size.height).radiance);
+    shown_ = display(*radiance_, now.display);
     texture_.upload(shown_);
     ++version_;
     drawnFor_ = now;

@@ -16,6 +16,7 @@ public:
     /// Draws anew if scene, camera, size or display have changed.
     void refresh(const Viewer&);
 
+    const std::shared_ptr<const ColorImage>& radiance() const { return radiance_; }
     const ByteImage& shown() const { return shown_; }
     const GlTexture& texture() const { return texture_; }
     /// Changes whenever what is shown does.
@@ -38,6 +39,7 @@ private:
     std::optional<Rasteriser> rasteriser_; // from its first use on
     std::optional<DrawnFor> drawnFor_;
     GlTexture texture_;
+    std::shared_ptr<const ColorImage> radiance_;
     ByteImage shown_;
     std::uint64_t version_ = 0;
 };

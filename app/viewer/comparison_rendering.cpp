@@ -29,19 +29,32 @@ void ComparisonRendering::start(std::shared_ptr<const World> world, const Camera
                                 RenderSettings settings, int threads, int mostSamples, RenderSession& here) {
     if (!session_ || threads_ != threads) session_ = std::make_unique<RenderSession>(threads);
     threads_ = threads;
+    still_ = nullptr;
+    setPaused(paused_);
+    begin(here, mostSamples);
+    settings.stop = {.samples = kNeverBySamples, .seconds = 0, .error = 0}; // this side says when to stop
+    session_->start(std::move(world), camera, settings);
+}
+
+void ComparisonRendering::start(std::shared_ptr<const ColorImage> still, int mostSamples,
+                                RenderSession& here) {
+    if (session_) session_->stop();
+    still_ = std::move(still);
+    begin(here, mostSamples);
+}
+
+void ComparisonRendering::begin(RenderSession& here, int mostSamples) {
     mostSamples_ = mostSamples;
     active_ = true;
     measuring_.cancel();
     change_.reset();
-    setPaused(paused_);
     hold(here, 1);
-    settings.stop = {.samples = kNeverBySamples, .seconds = 0, .error = 0}; // this side says when to stop
-    session_->start(std::move(world), camera, settings);
 }
 
 void ComparisonRendering::stop(RenderSession& here) {
     here.holdAt(0);
     active_ = false;
+    still_ = nullptr;
     measuring_.cancel();
     change_.reset();
     if (session_) session_->stop();
@@ -55,44 +68,61 @@ void ComparisonRendering::setPaused(bool paused) {
 void ComparisonRendering::hold(RenderSession& here, int samples) {
     target_ = samples;
     here.holdAt(samples);
-    session_->holdAt(samples);
+    if (!still_) session_->holdAt(samples);
 }
+
+bool ComparisonRendering::otherReady() const { return still_ || session_->status().samples == target_; }
 
 bool ComparisonRendering::update(RenderSession& here, const DisplaySettings& display,
                                  const DisplaySettings& otherDisplay) {
-    if (!active_) return false;
-    const RenderStatus ours = here.status(), theirs = session_->status();
+    const RenderStatus ours = here.status();
+    const bool shownOtherwise = change_ && (display != display_ || otherDisplay != otherDisplay_);
+    if (!active_ && !(shownOtherwise && ours.samples == target_ && otherReady())) return false;
+    active_ = true;
     const bool finished = ours.phase == RenderStatus::Phase::Finished;
     if (auto measured = measuring_.take()) {
-        change_ = std::move(measured);
+        change_ = std::make_shared<const PictureChange>(std::move(*measured));
         active_ = !finished && target_ < mostSamples_;
         if (active_) hold(here, std::min(following(target_), mostSamples_));
         if (!active_) here.holdAt(0);
         return true;
     }
     if (finished && ours.samples < target_) hold(here, ours.samples); // its time was up
-    if (ours.samples == target_ && theirs.samples == target_) {
-        if (!measuring_.running()) measure(here, display, otherDisplay);
+    if (still_ && ours.samples > target_) hold(here, ours.samples);   // it had begun before
+    if (ours.samples == target_ && otherReady()) {
+        if (!measuring_.running() && !measure(here, display, otherDisplay)) stop(here);
         return false;
     }
-    const bool apart = finished && theirs.samples > ours.samples;
-    active_ =
-        !apart && ours.phase != RenderStatus::Phase::Failed && theirs.phase != RenderStatus::Phase::Failed;
+    active_ = ours.phase != RenderStatus::Phase::Failed && !otherIsLost(ours);
     return false;
 }
 
-/// Takes both pictures as they are while they are held, and compares them in the background.
-void ComparisonRendering::measure(const RenderSession& here, const DisplaySettings& display,
+/// Whether the other side has failed, or gone on without this one.
+bool ComparisonRendering::otherIsLost(const RenderStatus& ours) const {
+    if (still_) return false;
+    const RenderStatus theirs = session_->status();
+    const bool apart = ours.phase == RenderStatus::Phase::Finished && theirs.samples > ours.samples;
+    return apart || theirs.phase == RenderStatus::Phase::Failed;
+}
+
+/// Takes both pictures as they are while they are held, and compares them in the background. False if they
+/// have not the same size: the still one is then of the window before, and another will come.
+bool ComparisonRendering::measure(const RenderSession& here, const DisplaySettings& display,
                                   const DisplaySettings& otherDisplay) {
+    ColorImage ours = here.image(), theirs = still_ ? *still_ : session_->image();
+    if (ours.width() != theirs.width() || ours.height() != theirs.height()) return false;
+    display_ = display;
+    otherDisplay_ = otherDisplay;
     PictureChange change;
     change.samples = target_;
     change.here = here.status().counts;
-    change.there = session_->status().counts;
-    measuring_.start([change, ours = here.image(), theirs = session_->image(), display,
+    if (!still_) change.there = session_->status().counts;
+    measuring_.start([change, ours = std::move(ours), theirs = std::move(theirs), display,
                       otherDisplay](const std::stop_token&) mutable {
         compare(change, ours, display, theirs, otherDisplay);
         return std::move(change);
     });
+    return true;
 }
 
 }

@@ -1,8 +1,7 @@
 #pragma once
-// The other side of a comparison, traced in step with the viewer's own picture.
+// The other side of a comparison: traced in step with the viewer's own picture, or a still picture.
 
 #include <memory>
-#include <optional>
 
 #include "app/viewer/background_job.h"
 #include "core/render/render_session.h"
@@ -13,19 +12,21 @@ namespace eyeray {
 struct PictureChange {
     int samples = 0;
     std::size_t pixels = 0, changed = 0; // in all, and whose displayed colours differ
-    RayCounts here, there;
-    ColorImage difference; // |here − there|, radiance
+    RayCounts here, there;               // none for a still picture
+    ColorImage difference;               // |here − there|, radiance
 };
 
-/// Used by one thread, which waits for nothing. Both sides share the cores and are held at 1, 2, 4, 8, 16 and
-/// further multiples of 8 samples until the other is there too: with the same random numbers, a pixel whose
-/// light has not changed has the same bits on both.
+/// Used by one thread, which waits for nothing. Both traced sides share the cores and are held at 1, 2, 4, 8,
+/// 16 and further multiples of 8 samples until the other is there too: with the same random numbers, a pixel
+/// whose light has not changed has the same bits on both.
 class ComparisonRendering {
 public:
     /// Traces the other side. To be called right before `here` starts its own picture, to compare them up to
     /// `mostSamples`.
     void start(std::shared_ptr<const World>, const Camera&, RenderSettings, int threads, int mostSamples,
                RenderSession& here);
+    /// Compares `here` with a picture that stays as it is, as soon as both have the same size.
+    void start(std::shared_ptr<const ColorImage> still, int mostSamples, RenderSession& here);
     /// Ends the comparison and lets `here` go on alone.
     void stop(RenderSession& here);
     void setPaused(bool);
@@ -35,21 +36,29 @@ public:
 
     /// True until both have been compared with as many samples as this side needs, or the most.
     bool active() const { return active_; }
-    /// Null before the first comparison.
+    /// True while a change() is being counted.
+    bool measuring() const { return measuring_.running(); }
+    /// That traces the other side; null before the first comparison of two traced sides.
     const RenderSession* session() const { return session_.get(); }
-    const std::optional<PictureChange>& change() const { return change_; }
+    /// Null before both have been compared.
+    const std::shared_ptr<const PictureChange>& change() const { return change_; }
 
 private:
+    void begin(RenderSession& here, int mostSamples);
     void hold(RenderSession& here, int samples);
-    void measure(const RenderSession& here, const DisplaySettings& display,
+    bool otherReady() const;
+    bool otherIsLost(const RenderStatus& ours) const;
+    bool measure(const RenderSession& here, const DisplaySettings& display,
                  const DisplaySettings& otherDisplay);
 
     std::unique_ptr<RenderSession> session_;
+    std::shared_ptr<const ColorImage> still_; // in place of the session's picture, if there is one
     int threads_ = 0, mostSamples_ = 0;
     int target_ = 0; // samples that both are led to
     bool active_ = false, paused_ = false;
+    DisplaySettings display_, otherDisplay_; // as last compared
     BackgroundJob<PictureChange> measuring_;
-    std::optional<PictureChange> change_;
+    std::shared_ptr<const PictureChange> change_;
 };
 
 }

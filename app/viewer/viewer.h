@@ -126,6 +126,8 @@ public:
     /// Strikes a node of the picked sample's ledger out, or back in.
     void strike(int node, bool out) { study_.strike(node, out); }
     void restoreStruck() { study_.restore(); }
+    /// What OpenGL draws of the document while its picture is compared with that; null while it is not.
+    void compareWith(std::shared_ptr<const ColorImage> rasterised);
     /// Shows the difference of a comparison, or takes it away; without one, what the last switch of a ray
     /// kind has changed. Throws InputError if none has been switched.
     void toggleDifference();
@@ -187,8 +189,9 @@ private:
     int width_ = 0, height_ = 0;
     LayerRendering layers_;
     ComparisonRendering comparison_;
-    std::optional<OtherPicture> compared_; // what the comparison was last started with
-    std::string lastSwitch_;               // the setting that undoes it, such as "reflections=on"
+    std::optional<OtherPicture> compared_;         // what the comparison was last started with
+    std::shared_ptr<const ColorImage> rasterised_; // likewise
+    std::string lastSwitch_;                       // the setting that undoes it, such as "reflections=on"
     bool paused_ = false;
     bool meter_ = false; // the exposure is to be metered from the first picture
 

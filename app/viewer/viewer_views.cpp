@@ -43,7 +43,9 @@ std::optional<OtherPicture> Viewer::otherPicture() const {
 }
 
 void Viewer::startComparison(const RenderSettings& now, const std::optional<std::string>& switched) {
-    if (compared_) {
+    if (rasterised_) {
+        comparison_.start(rasterised_, now.stop.samples, *session_);
+    } else if (compared_) {
         lastSwitch_.clear();
         comparison_.start(world_, compared_->camera, compared_->settings, sessionThreads_, now.stop.samples,
                           *session_);
@@ -55,11 +57,20 @@ void Viewer::startComparison(const RenderSettings& now, const std::optional<std:
     }
 }
 
+void Viewer::compareWith(std::shared_ptr<const ColorImage> rasterised) {
+    if (rasterised == rasterised_) return;
+    rasterised_ = std::move(rasterised);
+    if (rasterised_)
+        comparison_.start(rasterised_, document().render.stop.samples, *session_);
+    else if (!compared_)
+        comparison_.stop(*session_);
+}
+
 bool Viewer::updateComparison() {
     const DisplaySettings& display = document().render.display;
     const bool measured =
         comparison_.update(*session_, display, compared_ ? otherSide(document()).render.display : display);
-    if (measured && !compared_) {
+    if (measured && !compared_ && !rasterised_) {
         report(Notice::Kind::Done, switchText(lastSwitch_, *comparison_.change()) + "; D shows them");
         comparison_.stop(*session_);
     }
@@ -82,7 +93,7 @@ bool Viewer::tracing(int samples) const {
     const RenderStatus status = session_->status();
     const int compared = comparison_.change() ? comparison_.change()->samples : 0;
     return (status.active() && status.samples < samples) || layers_.active() ||
-           (comparison_.active() && compared < samples);
+           (comparison_.active() && (compared < samples || comparison_.measuring()));
 }
 
 }
