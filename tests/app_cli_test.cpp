@@ -139,8 +139,9 @@ TEST_F(CommandLine, AllLayersStandInOneExr) {
                color = readFile(folder / "color.exr", 1U << 28U);
     EXPECT_EQ(readExr(all).image, readExr(color).image) << "the picture itself, bit for bit";
     const std::string bytes(reinterpret_cast<const char*>(all.data()), 4000);
-    for (const char* channel : {"normal.X", "depth.Z", "albedo.R", "id.Y", "cost.Y", "rays.Y", "recursion.Y",
-                                "error.Y", "samples.Y", "eye.R", "shadow.G", "lamp.sun.B", "rest.R"})
+    for (const char* channel :
+         {"normal.X", "depth.Z", "albedo.R", "id.Y", "cost.Y", "rays.Y", "recursion.Y", "visits.Y", "tests.Y",
+          "error.Y", "samples.Y", "eye.R", "shadow.G", "lamp.sun.B", "rest.R"})
         EXPECT_NE(bytes.find(channel), std::string::npos) << channel;
     const auto stats = nlohmann::json::parse(textOf(folder / "stats.json"));
     EXPECT_EQ(stats.at("samples"), 2);

@@ -124,6 +124,7 @@ TEST_F(Inspect, JsonHasEveryRayLampAndUntracedRay) {
         EXPECT_LE(rays[i].at("depth"), 1);
         EXPECT_EQ(rays[i].contains("hit"), rays[i].at("end") == "hit");
         EXPECT_EQ(rays[i].at("t").is_null(), rays[i].at("end") == "background");
+        EXPECT_GT(rays[i].at("tests"), 0);
     }
     for (const Json& lamp : said.at("lamps")) {
         EXPECT_TRUE(lamp.contains("visibility"));
@@ -133,6 +134,16 @@ TEST_F(Inspect, JsonHasEveryRayLampAndUntracedRay) {
     }
     ASSERT_FALSE(said.at("untraced").empty());
     EXPECT_EQ(said.at("untraced")[0].at("reason"), "depth limit");
+}
+
+TEST_F(Inspect, JsonSaysWhatTheIndexHadToDo) {
+    const Json tree = json("knot", "48,27"), all = json("homage", "48,27", {"--accel", "brute"});
+    const auto primitives = tree.at("accelerator").at("primitives").get<std::size_t>();
+    EXPECT_EQ(tree.at("accelerator").at("kind"), "bvh8");
+    EXPECT_LT(tree.at("rays")[0].at("tests"), primitives / 100);
+    EXPECT_GT(tree.at("rays")[0].at("boxes"), tree.at("rays")[0].at("nodes"));
+    EXPECT_EQ(all.at("rays")[0].at("tests"), all.at("accelerator").at("primitives"));
+    EXPECT_EQ(all.at("rays")[0].at("boxes"), 0);
 }
 
 TEST_F(Inspect, CsvHasARowForEachRay) {

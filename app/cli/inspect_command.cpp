@@ -22,7 +22,8 @@ Inspected inspect(const InspectOptions& options) {
                      .sample = options.sample,
                      .film = Color(0),
                      .trace = {},
-                     .ledger = {}};
+                     .ledger = {},
+                     .traversal = {}};
     RenderSettings& settings = result.settings;
     setSize(settings, options.picture, document.aspect);
     const auto [x, y] = options.pixel;
@@ -40,6 +41,9 @@ Inspected inspect(const InspectOptions& options) {
     result.film = integrator->renderTile(context, {x, y, x + 1, y + 1}, pass).radiance.front();
     result.trace = integrator->retrace(context, x, y, pass);
     result.ledger = ledgerOf(result.trace);
+    for (std::size_t i = 0; i < result.trace.rays.size(); ++i)
+        result.traversal.push_back(
+            traversalOf(*result.world, context.settings.glassShadows, result.trace, static_cast<int>(i)));
     return result;
 }
 

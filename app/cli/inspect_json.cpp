@@ -54,7 +54,10 @@ Json rayOf(const Inspected& inspected, std::size_t index) {
                  {"weight", triple(ray.weight)},
                  {"transmitted", triple(ray.transmitted)},
                  {"radiance", triple(ray.radiance)},
-                 {"contribution", triple(contribution(ray))}};
+                 {"contribution", triple(contribution(ray))},
+                 {"nodes", inspected.traversal[index].nodes},
+                 {"boxes", inspected.traversal[index].boxes},
+                 {"tests", inspected.traversal[index].primitives}};
     if (ray.kind == RayKind::Shadow) json["light"] = ray.light;
     if (ray.kind == RayKind::Refraction) json["eta"] = number(ray.eta);
     if (ray.kind == RayKind::Reflection) json["total_reflection"] = ray.totalReflection;
@@ -114,7 +117,11 @@ std::string jsonOf(const Inspected& inspected) {
                  {"y", inspected.pixel.y},
                  {"sample", inspected.sample},
                  {"pixel", triple(inspected.film)},
-                 {"total", triple(evaluate(inspected.ledger))}};
+                 {"total", triple(evaluate(inspected.ledger))},
+                 {"accelerator",
+                  {{"kind", kAccelNames[static_cast<std::size_t>(inspected.world->accelKind)]},
+                   {"primitives", inspected.world->primitives},
+                   {"nodes", inspected.world->nodes}}}};
     for (const char* list : {"rays", "lamps", "untraced"}) json[list] = Json::array();
     for (std::size_t i = 0; i < inspected.trace.rays.size(); ++i) json["rays"].push_back(rayOf(inspected, i));
     for (const LampTerm& lamp : inspected.trace.lamps) json["lamps"].push_back(lampOf(inspected, lamp));

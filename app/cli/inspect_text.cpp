@@ -36,6 +36,9 @@ private:
         text_ += fmt::format("{} #{}: {}{}, t {}, weight {}, {}\n", name(r.kind), index, meeting(scene_, r),
                              r.totalReflection ? fmt::format(" ({})", kTotalReflectionText) : "",
                              metresText(r.t), weightText(r.weight), colorText(r.radiance));
+        indent(level + 1);
+        text_ +=
+            traversalText(inspected_.traversal[static_cast<std::size_t>(index)], *inspected_.world) + "\n";
         for (const int shadow : family_.shadowRays[index]) ray(shadow, level + 1);
         for (const int next : family_.nextRays[index]) ray(next, level + 1);
         for (const int missing : family_.untraced[index]) {

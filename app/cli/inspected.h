@@ -5,6 +5,7 @@
 
 #include "app/document/document.h"
 #include "core/study/ledger.h"
+#include "core/study/ray_traversal.h"
 
 namespace eyeray {
 
@@ -18,6 +19,7 @@ struct Inspected {
     Color film; // what the renderer puts into the film for it
     Retrace trace;
     Ledger ledger;
+    std::vector<TraversalCounts> traversal; // of each ray
 
     /// "pixel (320, 240) of homage, 640×480, sample 0"
     std::string title() const;

@@ -143,9 +143,10 @@ std::variant<Options, int> parseCommandLine(int argc, const char* const* argv) {
     rendering->add_option("-o,--output", render.output, "file to write")->required()->type_name("FILE");
     addPicture(*rendering, render.picture);
     rendering
-        ->add_option("--layer", layer,
-                     "color, normal, depth, albedo, id, cost, rays, recursion, error, samples, a ray kind, "
-                     "lamp.NAME, rest; or all, in one .exr")
+        ->add_option(
+            "--layer", layer,
+            "color, normal, depth, albedo, id, rays, recursion, visits, tests, cost, error, samples, "
+            "a ray kind, lamp.NAME, rest; or all, in one .exr")
         ->type_name("NAME");
     rendering->add_option("--stats", stats, "write figures as JSON")->type_name("FILE");
     rendering->add_flag("--quiet", render.quiet, "no progress line");

@@ -73,7 +73,8 @@ std::vector<Layer> layersOf(const Scene& scene) {
     std::vector<Layer> layers = {{Quantity::Picture, 0, "color"},       {Quantity::Normal, 0, "normal"},
                                  {Quantity::Depth, 0, "depth"},         {Quantity::Albedo, 0, "albedo"},
                                  {Quantity::Object, 0, "id"},           {Quantity::Rays, 0, "rays"},
-                                 {Quantity::Recursion, 0, "recursion"}, {Quantity::Cost, 0, "cost"},
+                                 {Quantity::Recursion, 0, "recursion"}, {Quantity::Visits, 0, "visits"},
+                                 {Quantity::Tests, 0, "tests"},         {Quantity::Cost, 0, "cost"},
                                  {Quantity::Error, 0, "error"},         {Quantity::Samples, 0, "samples"}};
     for (int kind = 0; kind < kRayKinds; ++kind)
         layers.push_back({Quantity::Kind, kind, std::string(name(static_cast<RayKind>(kind)))});
@@ -103,6 +104,8 @@ bool isRadiance(Quantity quantity) {
 bool isVector(Quantity quantity) {
     return isRadiance(quantity) || quantity == Quantity::Normal || quantity == Quantity::Albedo;
 }
+
+bool isOfIndex(Quantity quantity) { return quantity == Quantity::Visits || quantity == Quantity::Tests; }
 
 bool isOfFirstHit(Quantity quantity) {
     return quantity == Quantity::Normal || quantity == Quantity::Depth || quantity == Quantity::Albedo ||
@@ -141,6 +144,8 @@ std::optional<DVec3> layerValue(const Layer& layer, const SampleRecord& record, 
     case Quantity::Error:
         return DVec3(luminance(DVec3(radiance)));
     case Quantity::Picture:
+    case Quantity::Visits:
+    case Quantity::Tests:
     case Quantity::Cost:
         break;
     }

@@ -25,6 +25,8 @@ enum class Quantity : std::uint8_t {
     Rest,      // radiance that no lamp term brings: ambient light, emission, background
     Recursion, // depth of the deepest ray
     Rays,      // rays traced
+    Visits,    // nodes of the index that its rays go into
+    Tests,     // triangles and shapes that its rays are tested against
     Cost,      // microseconds that the tracer takes, nothing on record
     Samples,   // how many there are
     Error      // standard error of the luminance; 0 for a single sample
@@ -51,6 +53,8 @@ Layer layerNamed(std::string_view name, const Scene&);
 bool isRadiance(Quantity);
 /// True for layers of three numbers a pixel, false for those of one.
 bool isVector(Quantity);
+/// True for layers of the work that rays make for the index.
+bool isOfIndex(Quantity);
 /// True for layers that eye rays alone decide.
 bool isOfFirstHit(Quantity);
 
@@ -60,7 +64,7 @@ bool isOfFirstHit(Quantity);
 /// A ray brings weight · transmitted · (emission + ambient + background) under its own kind, and its lamp
 /// terms count as brought by shadow rays, also with shadow rays switched off. So the layers of the kinds add
 /// up to the colour, and so do those of the lamps and the rest. To the Error a sample adds its luminance, to
-/// the Samples 1; the Cost is not on record.
+/// the Samples 1. The Cost and the work for the index, Visits and Tests, are not on record.
 std::optional<DVec3> layerValue(const Layer&, const SampleRecord&, const Color& radiance);
 
 }

@@ -6,6 +6,8 @@
 #include <chrono>
 #include <new>
 
+#include "core/study/ray_traversal.h"
+
 namespace eyeray {
 namespace {
 
@@ -35,6 +37,10 @@ double costOf(const TraceContext& context, const Integrator& integrator, int x, 
     return std::min(once(), once());
 }
 
+DVec3 workOf(Quantity quantity, const TraversalCounts& counts) {
+    return DVec3(static_cast<double>(quantity == Quantity::Visits ? counts.nodes : counts.primitives));
+}
+
 }
 
 LayerFilm::LayerFilm(std::vector<Layer> layers, int width, int height)
@@ -60,16 +66,22 @@ bool LayerFilm::addPass(const TraceContext& context, const Integrator& integrato
                         ThreadPool& pool) {
     const bool eyeRaysSuffice = std::all_of(layers_.begin(), layers_.end(),
                                             [](const Layer& layer) { return isOfFirstHit(layer.quantity); });
+    const bool ofIndex = std::any_of(layers_.begin(), layers_.end(),
+                                     [](const Layer& layer) { return isOfIndex(layer.quantity); });
     const TraceContext traced = eyeRaysSuffice ? ofFirstHit(context) : context;
     const bool whole = pool.forEach(static_cast<int>(tiles_.size()), context.stop, [&](int i) {
         const auto tile = static_cast<std::size_t>(i);
         std::vector<Value> values; // of each pixel and layer
         const auto counts = integrator.retraceTile(
             traced, tiles_[tile], pass, [&](int x, int y, const SampleRecord& record, const Color& radiance) {
+                const TraversalCounts work =
+                    ofIndex ? traversalOf(*traced.world, traced.settings.glassShadows, record)
+                            : TraversalCounts{};
                 for (const Layer& layer : layers_)
                     values.push_back(layer.quantity == Quantity::Cost
                                          ? DVec3(costOf(traced, integrator, x, y, pass))
-                                         : layerValue(layer, record, radiance));
+                                     : isOfIndex(layer.quantity) ? workOf(layer.quantity, work)
+                                                                 : layerValue(layer, record, radiance));
             });
         if (counts) addTile(tile, values, *counts);
     });

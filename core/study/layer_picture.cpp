@@ -51,6 +51,10 @@ std::string_view unitOf(Quantity quantity) {
         return " µs";
     case Quantity::Rays:
         return " rays";
+    case Quantity::Visits:
+        return " nodes";
+    case Quantity::Tests:
+        return " tests";
     case Quantity::Samples:
         return " samples";
     default:
@@ -131,6 +135,10 @@ std::string aboutLayer(const Layer& layer) {
         return "depth of the deepest ray";
     case Quantity::Rays:
         return "rays traced for a sample";
+    case Quantity::Visits:
+        return "nodes of the index gone into, by all rays of a sample, each traced alone";
+    case Quantity::Tests:
+        return "triangles and shapes tested, by all rays of a sample, each traced alone";
     case Quantity::Cost:
         return "time to trace a sample";
     case Quantity::Samples:
