@@ -10,7 +10,7 @@ using namespace std::string_view_literals;
 
 constexpr std::array kToneMapLabels = {"none (linear)"sv, "clamp"sv, "Reinhard 2002"sv,
                                        "ACES (Narkowicz 2015)"sv};
-constexpr std::array kAccelLabels = {"auto"sv, "brute force"sv, "BVH"sv};
+constexpr std::array kAccelLabels = {"auto"sv, "brute force"sv, "BVH of two"sv, "BVH of eight (SIMD)"sv};
 
 /// Which layer of the picture is shown.
 void layerChoice(const Widgets& ui) {

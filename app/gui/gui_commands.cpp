@@ -167,8 +167,9 @@ constexpr std::array kCommands = {
                explain},
     GuiCommand{"rayview",
                "view=frame|follow|top|side|front yaw=DEG pitch=DEG right=M up=M dolly=F "
-               "show=pixel|row|column|grid step=N labels=on|off",
-               "Moves the outside camera; chooses whose rays are drawn.", rayview},
+               "show=pixel|row|column|grid step=N labels=on|off boxes=none|level|ray level=N",
+               "Moves the outside camera; chooses whose rays and which boxes of the index are drawn.",
+               rayview},
     GuiCommand{"rasterised", "on=on|off",
                "Shows what OpenGL draws of the scene: no shadows, mirrors or glass.", rasterised},
     GuiCommand{"tab", "name=tree|sum|play", "Shows the picked pixel's tree, its sum or its playing.", tab},

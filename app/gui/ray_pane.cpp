@@ -36,6 +36,8 @@ RayStyle rayStyle(bool dark, float scale, float letter) {
     RayStyle style;
     for (int i = 0; i < kRayKinds; ++i)
         style.kinds[static_cast<std::size_t>(i)] = ink(colorOfKind(static_cast<RayKind>(i), dark));
+    for (std::size_t i = 0; i < style.boxes.size(); ++i)
+        style.boxes[i] = ink(colorOfBox(static_cast<SpaceBox::Role>(i), dark));
     style.blocked = ink(errorColor(dark));
     style.unlit = dark ? Ink(0.02F, 0.02F, 0.03F, 0.9F) : Ink(0.15F, 0.16F, 0.18F, 0.9F);
     style.highlight = dark ? Ink(1) : ink(0x15181e);
@@ -108,11 +110,14 @@ void standButtons(const Widgets& ui, float besides) {
 }
 
 void RayPane::execute(const Command& command) {
-    command.allowOnly({"view", "yaw", "pitch", "right", "up", "dolly", "show", "step", "labels"});
+    command.allowOnly(
+        {"view", "yaw", "pitch", "right", "up", "dolly", "show", "step", "labels", "boxes", "level"});
     const auto stand = command.choice("view", kOutsideStandNames);
     const auto show = command.choice("show", kShownRaysNames);
     const auto step = command.integer("step", 1, kMaxPictureSide);
     const auto labels = command.flag("labels");
+    const auto boxes = command.choice("boxes", kShownBoxesNames);
+    const auto level = command.integer("level", 0, kMostLevels);
     const auto yaw = command.number("yaw", -36000, 36000), pitch = command.number("pitch", -36000, 36000);
     const auto right = command.number("right", -1e9, 1e9), up = command.number("up", -1e9, 1e9);
     const auto dolly = command.number("dolly", 0.01, 100);
@@ -124,6 +129,8 @@ void RayPane::execute(const Command& command) {
     if (show || step) step_ = step.value_or(0);
     if (show) show_ = static_cast<ShownRays>(*show);
     labels_ = labels.value_or(labels_);
+    if (boxes) index_.show(static_cast<ShownBoxes>(*boxes));
+    if (level) index_.setLevel(*level);
 }
 
 void RayPane::noticeScene(const Viewer& viewer) {
@@ -181,13 +188,17 @@ Sketch RayPane::compose(const Widgets& ui, const PictureView& picture, PictureSi
     return sketch;
 }
 
-void RayPane::toolbar(const Widgets& ui) const {
+void RayPane::toolbar(const Widgets& ui) {
     ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {ImGui::GetStyle().FramePadding.x, 0});
-    const float width = comboWidth("one pixel");
-    standButtons(ui, width);
-    ImGui::SetNextItemWidth(width);
-    const bool open = ImGui::BeginCombo("##shown rays", kShownRaysLabels[static_cast<std::size_t>(show_)]);
+    standButtons(ui, comboWidth("one pixel") + index_.controlsWidth());
+    shownRaysChoice(ui);
+    index_.controls(ui);
     ImGui::PopStyleVar();
+}
+
+void RayPane::shownRaysChoice(const Widgets& ui) const {
+    ImGui::SetNextItemWidth(comboWidth("one pixel"));
+    const bool open = ImGui::BeginCombo("##shown rays", kShownRaysLabels[static_cast<std::size_t>(show_)]);
     ui.mark("shown rays");
     if (!open) return ui.tooltip("whose rays are drawn; row, column and grid go through the picked pixel");
     for (std::size_t i = 0; i < kShownRaysLabels.size(); ++i) {
@@ -210,6 +221,7 @@ RayViewContent RayPane::content(const Widgets& ui, const PictureView& picture) {
                            .pixel = {},
                            .samples = {},
                            .selectedRay = -1,
+                           .index = index_.picture(viewer),
                            .hurried = ImGui::IsAnyMouseDown(),
                            .labels = labels_};
     if (const auto& picked = viewer.picked()) {
@@ -278,11 +290,13 @@ void RayPane::rayTooltip(const Widgets& ui, int arrow) const {
 }
 
 /// What is to be done, or which rays are shown, and a legend: before all other lettering.
-void RayPane::caption(const Widgets& ui, Sketch& sketch, const RayStyle& style, PictureSize size) const {
+void RayPane::caption(const Widgets& ui, Sketch& sketch, const RayStyle& style, PictureSize size) {
     const float margin = 0.7F * style.letter;
     const std::vector<SketchLabel> others = std::exchange(sketch.labels, {});
+    float y = margin;
     const auto say = [&](const std::string& text) {
-        sketch.labels.push_back({{margin, margin}, text, style.text, {0, 0}, 0.9F});
+        sketch.labels.push_back({{margin, y}, text, style.text, {0, 0}, 0.9F});
+        y += 1.35F * style.letter;
     };
     if (!ui.viewer.document().pixel && show_ == ShownRays::Pixel && !ui.viewer.gridPlayer().on())
         say("click a pixel of the picture to see its rays");
@@ -292,9 +306,13 @@ void RayPane::caption(const Widgets& ui, Sketch& sketch, const RayStyle& style, 
     else if (view_.raysLeftOut() > 0)
         say(fmt::format("the {} weightiest of {} rays", view_.arrows().size(),
                         view_.arrows().size() + view_.raysLeftOut()));
-    const auto height = static_cast<float>(size.height);
-    if (height > kLegendHeight * style.letter)
-        drawLegend(sketch, view_.arrows(), style, {margin, height - margin});
+    if (const std::string text = index_.text(); !text.empty()) say(text);
+    const Vec2 corner(size.width, size.height);
+    if (corner.y > kLegendHeight * style.letter) {
+        drawLegend(sketch, view_.arrows(), style, {margin, corner.y - margin});
+        if (const IndexPicture* index = index_.picture(ui.viewer))
+            drawIndexLegend(sketch, *index, style, corner - Vec2(margin));
+    }
     sketch.labels.insert(sketch.labels.end(), others.begin(), others.end());
 }
 

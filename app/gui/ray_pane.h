@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <optional>
 
+#include "app/gui/index_choice.h"
 #include "app/gui/picture_view.h"
 #include "app/gui/traced_pixels.h"
 #include "app/gui/widgets.h"
@@ -32,11 +33,12 @@ public:
 
 private:
     Sketch compose(const Widgets&, const PictureView&, PictureSize, const RayStyle&);
-    void toolbar(const Widgets&) const;
+    void toolbar(const Widgets&);
+    void shownRaysChoice(const Widgets&) const;
     RayViewContent content(const Widgets&, const PictureView&);
     void mouse(const Widgets&, ImVec2 corner);
     void rayTooltip(const Widgets&, int arrow) const;
-    void caption(const Widgets&, Sketch&, const RayStyle&, PictureSize) const;
+    void caption(const Widgets&, Sketch&, const RayStyle&, PictureSize);
 
     const Gl& gl_;
     RayView view_;
@@ -45,6 +47,7 @@ private:
     bool labels_ = true;
     std::string scene_; // whose view it is
 
+    IndexChoice index_;
     TracedPixels many_;
     SampleRecord played_;        // the rays so far, while a sample is played
     PictureSize size_{960, 720}; // as last seen

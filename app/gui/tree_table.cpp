@@ -41,6 +41,8 @@ void tableRow(const Widgets& ui, const TreeDiagram& diagram, const DiagramNode& 
         ImGui::TableNextColumn();
         ImGui::TextUnformatted(row[i].c_str());
     }
+    ImGui::TableNextColumn();
+    ImGui::TextUnformatted(indexWork(ui, node.ray).c_str());
 }
 
 }
@@ -50,9 +52,10 @@ void treeTable(const Widgets& ui) {
     constexpr auto kFlags = ImGuiTableFlags_RowBg | ImGuiTableFlags_ScrollX | ImGuiTableFlags_ScrollY |
                             ImGuiTableFlags_BordersInnerV | ImGuiTableFlags_SizingFixedFit |
                             ImGuiTableFlags_Resizable;
-    if (!ImGui::BeginTable("rays", static_cast<int>(kRayHeadings.size()), kFlags)) return;
+    if (!ImGui::BeginTable("rays", static_cast<int>(kRayHeadings.size()) + 1, kFlags)) return;
     ImGui::TableSetupScrollFreeze(1, 1);
     for (const std::string_view heading : kRayHeadings) ImGui::TableSetupColumn(std::string(heading).c_str());
+    ImGui::TableSetupColumn("index");
     ImGui::TableHeadersRow();
     ImGuiListClipper clipper;
     clipper.Begin(static_cast<int>(diagram.nodes.size()));

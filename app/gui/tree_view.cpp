@@ -2,6 +2,7 @@
 #include "app/gui/theme.h"
 #include "app/gui/tree_parts.h"
 #include "core/study/ray_row.h"
+#include "core/study/ray_traversal.h"
 
 namespace eyeray {
 namespace {
@@ -64,15 +65,26 @@ void rayDetails(const Widgets& ui) {
     if (!ImGui::BeginTable("facts", 2, ImGuiTableFlags_SizingFixedFit)) return;
     ImGui::TableSetupColumn("what", ImGuiTableColumnFlags_WidthFixed);
     ImGui::TableSetupColumn("value", ImGuiTableColumnFlags_WidthStretch);
-    for (std::size_t i = 1; i < row.size(); ++i) {
-        if (row[i].empty()) continue;
+    const auto line = [](const std::string& heading, const std::string& value) {
+        if (value.empty()) return;
         ImGui::TableNextRow();
         ImGui::TableNextColumn();
-        ImGui::TextDisabled("%s", std::string(kRayHeadings[i]).c_str());
+        ImGui::TextDisabled("%s", heading.c_str());
         ImGui::TableNextColumn();
-        ImGui::TextWrapped("%s", row[i].c_str());
+        ImGui::TextWrapped("%s", value.c_str());
+    };
+    for (std::size_t i = 1; i < row.size(); ++i) {
+        line(std::string(kRayHeadings[i]), row[i]);
+        if (kRayHeadings[i] == "t") line("index", indexWork(ui, ui.viewer.selectedRay()));
     }
     ImGui::EndTable();
+}
+
+std::string indexWork(const Widgets& ui, int ray) {
+    const auto world = ui.viewer.shownWorld();
+    if (!world) return {};
+    const GlassShadows policy = ui.viewer.document().render.trace.glassShadows;
+    return traversalText(traversalOf(*world, policy, ui.viewer.picked()->trace, ray), *world);
 }
 
 void treeView(const Widgets& ui) {

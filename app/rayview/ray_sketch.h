@@ -14,6 +14,7 @@ namespace eyeray {
 /// Colours and measures of the drawing.
 struct RayStyle {
     std::array<Ink, kRayKinds> kinds;
+    std::array<Ink, 5> boxes; // by SpaceBox::Role
     Ink blocked{1};   // of a light ray up to its blocker
     Ink unlit{0};     // the same behind it
     Ink highlight{1}; // around the selected ray

@@ -97,6 +97,7 @@ void RayView::drawSketch(const RayViewContent& content, const ImagePlane& plane,
     drawEye(sketch_, view, plane, style, content.labels);
     if (content.pixel)
         drawPixel(sketch_, view, plane, *content.pixel, content.pictureWidth, content.pictureHeight, style);
+    if (content.index != nullptr) drawIndex(sketch_, view, *content.index, style);
     const bool many = content.samples.size() > 1;
     drawArrows(sketch_, view, arrows_, style,
                selected == arrows_.end() ? -1 : static_cast<int>(selected - arrows_.begin()),

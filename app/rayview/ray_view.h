@@ -3,6 +3,7 @@
 
 #include <optional>
 
+#include "app/rayview/index_sketch.h"
 #include "app/rayview/outside_painter.h"
 #include "app/rayview/outside_view.h"
 #include "app/rayview/ray_sketch.h"
@@ -24,6 +25,7 @@ struct RayViewContent {
     std::optional<DVec2> pixel;               // picked
     std::vector<const SampleRecord*> samples; // those whose rays are shown, the picked one first
     int selectedRay = 0;                      // of the first sample
+    const IndexPicture* index = nullptr;      // boxes to be drawn too
     bool hurried = false;                     // something is being dragged: rather soon than smooth
     bool labels = true;                       // names, coordinates, vectors and angles
 };

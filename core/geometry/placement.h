@@ -20,6 +20,7 @@ public:
         return {ray.origin + worldToObject_.translation, ray.direction, ray.tMin, ray.tMax};
     }
     Vec3 toObject(const Vec3& point) const { return worldToObject_.point(point); }
+    Vec3 toWorld(const Vec3& point) const { return objectToWorld_.point(point); }
 
     /// A surface point of object space in world space. Normals by the inverse transpose (Turkowski 1990,
     /// "Properties of Surface-Normal Transformations", Graphics Gems): what is in front of the surface in

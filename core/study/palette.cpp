@@ -10,6 +10,12 @@ std::uint32_t colorOfKind(RayKind kind, bool dark) {
     return (dark ? kOnDark : kOnLight)[static_cast<std::size_t>(kind)];
 }
 
+std::uint32_t colorOfBox(SpaceBox::Role role, bool dark) {
+    constexpr std::array<std::uint32_t, 5> kOnDark = {0x7cc4f5, 0xf2a33c, 0x4fdc8b, 0x8f96a8, 0xffe14d};
+    constexpr std::array<std::uint32_t, 5> kOnLight = {0x0b62a8, 0xb35c00, 0x0a8043, 0x7d8596, 0x9a6a00};
+    return (dark ? kOnDark : kOnLight)[static_cast<std::size_t>(role)];
+}
+
 std::uint32_t shownColor(const Color& radiance, const DisplaySettings& settings) {
     std::array<Rgba8, 1> shown;
     display(std::span(&radiance, 1), settings, shown);

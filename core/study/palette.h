@@ -7,11 +7,15 @@
 
 #include "core/base/ray_kind.h"
 #include "core/render/display.h"
+#include "core/study/index_picture.h"
 
 namespace eyeray {
 
 /// 0xrrggbb as displayed, on a dark or a light ground.
 std::uint32_t colorOfKind(RayKind, bool dark);
+
+/// Of boxes of the index, likewise.
+std::uint32_t colorOfBox(SpaceBox::Role, bool dark);
 
 /// Radiance as displayed: 0xrrggbb.
 std::uint32_t shownColor(const Color& radiance, const DisplaySettings&);
