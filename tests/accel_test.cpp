@@ -3,10 +3,10 @@
 // unbounded planes.
 
 #include <gtest/gtest.h>
-#include <hwy/targets.h>
 
 #include "core/geometry/accel.h"
 #include "tests/geometry_cases.h"
+#include "tests/instruction_sets.h"
 
 namespace eyeray {
 namespace {
@@ -57,17 +57,6 @@ void expectSame(const std::optional<Hit>& a, const std::optional<Hit>& b) {
     EXPECT_EQ(a->instance, b->instance);
 }
 
-/// Runs `body` as a machine would that has no more than each of the instruction sets in turn.
-template <class Body>
-void withEachInstructionSet(const Body& body) {
-    for (const std::int64_t target : hwy::SupportedAndGeneratedTargets()) {
-        SCOPED_TRACE(hwy::TargetName(target));
-        hwy::SetSupportedTargetsForTest(target);
-        body();
-    }
-    hwy::SetSupportedTargetsForTest(0);
-}
-
 template <class Index>
 class EachIndex : public testing::Test {};
 using Indices = testing::Types<BruteForce, Bvh2, Bvh8>;
@@ -77,8 +66,6 @@ template <class Index>
 class EachTree : public testing::Test {};
 using Trees = testing::Types<Bvh2, Bvh8>;
 TYPED_TEST_SUITE(EachTree, Trees);
-
-TEST(InstructionSets, AreSeveral) { EXPECT_GE(hwy::SupportedAndGeneratedTargets().size(), 2U); }
 
 template <class Index>
 void expectTheHitsOfBruteForce() {

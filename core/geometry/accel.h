@@ -49,6 +49,7 @@ struct IndexedGeometry {
     std::vector<Instance<Index>> instances;
     Index top;                         // over the bounded instances, if there are several
     std::vector<std::uint32_t> always; // tested by every ray: infinite planes, and a single bounded instance
+    bool shapesOnly = true;            // no mesh
     std::size_t primitives = 0;        // triangles and shapes, instances counted each
     std::size_t nodes = 0, bytes = 0;  // of the indices, meshes counted once
 };

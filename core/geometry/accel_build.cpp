@@ -66,6 +66,7 @@ IndexedGeometry<Index> indexInstances(std::vector<Instance<Index>> instances, co
             instances[i].placement.worldBounds(std::visit(ObjectBounds<Index>{}, instances[i].geometry)));
         if (boxes.back().finite() && !boxes.back().empty()) bounded.push_back(i);
         const auto* mesh = std::get_if<1>(&instances[i].geometry);
+        result.shapesOnly &= mesh == nullptr;
         result.primitives += mesh != nullptr ? (*mesh)->index.size() : 1;
         if (mesh == nullptr || !counted.insert(mesh->get()).second) continue;
         result.nodes += (*mesh)->index.nodeCount();

@@ -52,6 +52,15 @@ public:
     /// Holds every world point whose way back to object space, with its rounding, leads into the box.
     Bounds worldBounds(const Bounds& object) const;
 
+    // The parts of these maps, for code that takes many rays at once.
+    const Affine& objectToWorld() const { return objectToWorld_; }
+    const Affine& worldToObject() const { return worldToObject_; }
+    const Mat3& normals() const { return normals_; }
+    const Mat3& errorGrowth() const { return errorGrowth_; }
+    const Vec3& errorBase() const { return errorBase_; }
+    bool translates() const { return translates_; }
+    const Vec3& mirrors() const { return mirrors_; }
+
 private:
     Vec3 normal(const Vec3& n) const {
         if (mirrors_ != Vec3(0)) return mirrors_ * n;

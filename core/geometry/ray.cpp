@@ -3,9 +3,8 @@
 namespace eyeray {
 
 Vec3 spawnOrigin(const SurfacePoint& point, const Vec3& direction) {
-    constexpr float kSlack = 1 + 0x1p-20F; // covers the rounding of what follows
     const Vec3& normal = point.geometricNormal;
-    const float distance = glm::dot(glm::abs(normal), point.error) * kSlack;
+    const float distance = glm::dot(glm::abs(normal), point.error) * kSpawnSlack;
     const Vec3 offset = std::copysign(distance, glm::dot(normal, direction)) * normal;
     const Vec3 origin = point.position + offset;
     const auto outward = [&](int axis) {

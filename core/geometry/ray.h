@@ -44,5 +44,6 @@ inline SurfacePoint surfacePoint(const DVec3& position, const DVec3& unitNormal)
 /// rounding. Moves along the geometric normal by the error bound, then to the next float outward. Pharr,
 /// Jakob, Humphreys 2023, "Physically Based Rendering" 4th ed., section 6.8.6.
 Vec3 spawnOrigin(const SurfacePoint& point, const Vec3& direction);
+inline constexpr float kSpawnSlack = 1 + 0x1p-20F; // covers the rounding of what follows the bound
 
 }

@@ -15,11 +15,18 @@ Color read(const Scene& scene, const TextureRef& ref, const Uv& uv, TextureCodin
     return textureValue(scene, texture, ref.transformed(uv(ref.uvSet)), coding);
 }
 
+/// What a taught material's ka and kd are multiplied by at a point; nothing else of it varies.
+template <class Uv>
+Color diffuseFactor(const Scene& scene, const TaughtMaterial& material, const Uv& uv,
+                    const Color& vertexColor) {
+    return vertexColor * read(scene, material.diffuseTexture, uv, TextureCoding::Srgb);
+}
+
 /// The material with its textures read, for this point alone.
 template <class Uv>
 TaughtMaterial readMaterial(const Scene& scene, TaughtMaterial material, const Uv& uv,
                             const Color& vertexColor) {
-    const Color factor = vertexColor * read(scene, material.diffuseTexture, uv, TextureCoding::Srgb);
+    const Color factor = diffuseFactor(scene, material, uv, vertexColor);
     material.ambient *= factor;
     material.diffuse *= factor;
     return material;

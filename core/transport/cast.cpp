@@ -6,6 +6,8 @@ namespace eyeray {
 namespace {
 
 struct Cast {
+    static constexpr bool kByStreams = true;
+
     template <Features F, class Index, class Recorder>
     static Color radiance(SampleState<Index, Recorder>& state, const Ray& eyeRay) {
         const TreeRay ray{.ray = eyeRay, .media = state.context.eyeMedia};

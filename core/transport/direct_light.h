@@ -45,6 +45,8 @@ struct SampleState {
     int treeNodes = 0;
 };
 
+inline constexpr float kBeforeLamp = 1 - 1e-6F; // of the way to a lamp a shadow ray goes
+
 namespace detail {
 
 /// What transparent objects leave of the light along a shadow ray, straight through: kt at each surface,
@@ -96,7 +98,6 @@ Color visibility(SampleState<Index, Recorder>& state, const Ray& ray, const Medi
 template <Features F, class Index, class Recorder>
 Color directLight(SampleState<Index, Recorder>& state, const ShadingPoint& p, const TreeRay& from,
                   int record) {
-    constexpr float kBeforeLamp = 1 - 1e-6F;
     const TraceContext& context = state.context;
     Color radiance = p.surface->emission + p.surface->ambient * context.world->scene->ambient;
     for (const WorldLight& light : context.lights) {

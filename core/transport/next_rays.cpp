@@ -27,7 +27,9 @@ Color mirrorShare(const Surface& surface, float cosine) {
 void addGlass(const World& world, const TraceSettings& settings, const ShadingPoint& p,
               const MediumStack& media, NextRays& next) {
     const Surface& surface = *p.surface;
-    const Interface interface = interfaceAt(world, p, media);
+    const Interface interface = interfaceAt(
+        world, {.instance = p.instance, .solid = p.object->solid, .front = p.front, .ior = surface.ior},
+        media);
     const float cosine = glm::dot(p.normal, p.wo);
     std::optional<Vec3> direction = refracted(p.wo, p.normal, interface.eta);
     if (direction && glm::dot(*direction, p.geometricNormal) >= 0)
@@ -51,13 +53,19 @@ void addGlass(const World& world, const TraceSettings& settings, const ShadingPo
 
 }
 
-Interface interfaceAt(const World& world, const ShadingPoint& p, const MediumStack& media) {
-    if (!p.object->solid) return {iorOf(world, media.top()) / p.surface->ior, media};
-    if (p.front) return {iorOf(world, media.top()) / p.surface->ior, media.entered(p.instance)};
-    const MediumStack beyond = media.left(p.instance);
+Interface interfaceAt(const World& world, const Side& side, const MediumStack& media) {
+    if (!side.solid) return {iorOf(world, media.top()) / side.ior, media};
+    if (side.front) return {iorOf(world, media.top()) / side.ior, media.entered(side.instance)};
+    const MediumStack beyond = media.left(side.instance);
     // an eye that stands in an open mesh leaves what it never entered
-    const float inside = media.contains(p.instance) ? iorOf(world, media.top()) : p.surface->ior;
+    const float inside = media.contains(side.instance) ? iorOf(world, media.top()) : side.ior;
     return {inside / iorOf(world, beyond.top()), beyond};
+}
+
+Interface interfaceAt(const World& world, const ShadingPoint& p, const MediumStack& media) {
+    return interfaceAt(
+        world, {.instance = p.instance, .solid = p.object->solid, .front = p.front, .ior = p.surface->ior},
+        media);
 }
 
 NextRays nextRays(const World& world, const TraceSettings& settings, const ShadingPoint& p,

@@ -17,6 +17,13 @@ struct NextRays {
     float eta = 1; // of wo's side / of the other side
 };
 
+/// A surface, met from one of its sides.
+struct Side {
+    std::uint32_t instance;
+    bool solid, front;
+    float ior;
+};
+
 /// What is on both sides of a surface.
 struct Interface {
     float eta; // of wo's side / of the other side
@@ -24,6 +31,7 @@ struct Interface {
 };
 
 /// The media at a hit, by the side that was hit; a surface without inside (a plane) has no medium beyond.
+Interface interfaceAt(const World&, const Side&, const MediumStack&);
 Interface interfaceAt(const World&, const ShadingPoint&, const MediumStack&);
 
 /// Mirror and refraction directions and their shares. η is that of the media on both sides, by the side that

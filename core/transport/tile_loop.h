@@ -4,16 +4,19 @@
 
 #include "core/transport/direct_light.h"
 #include "core/transport/integrator.h"
+#include "core/transport/streams.h"
 
 namespace eyeray {
 
 /// An Integrator from a method: a type with
 /// `template <Features F, class Index, class Recorder> static Color radiance(SampleState<Index, Recorder>&,
-/// const Ray& eyeRay)`.
+/// const Ray& eyeRay)`. One with a member kByStreams has renderByStreams for a fast twin.
 template <class Method>
 class TiledIntegrator final : public Integrator {
 public:
     TileResult renderTile(const TraceContext& context, const Tile& tile, int pass) const override {
+        if constexpr (requires { Method::kByStreams; })
+            if (auto streamed = renderByStreams(context, tile, pass)) return *std::move(streamed);
         TileResult result{.tile = tile, .radiance = {}, .counts = {}};
         specialised(context, [&]<Features F>(const auto& geometry) {
             NoRecorder recorder;

@@ -83,6 +83,8 @@ private:
 };
 
 struct Whitted {
+    static constexpr bool kByStreams = true;
+
     template <Features F, class Index, class Recorder>
     static Color radiance(SampleState<Index, Recorder>& state, const Ray& eyeRay) {
         return RayTree<F, Index, Recorder>(state).trace({.ray = eyeRay, .media = state.context.eyeMedia});

@@ -1,0 +1,199 @@
+// Closest and any hits of several rays at once, and the surfaces there: those of closestHit, anyHit and
+// surfaceAt, bit for bit. Compiled once for each instruction set, as core/base/lanes.h.
+#if defined(EYERAY_ACCEL_LANES_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef EYERAY_ACCEL_LANES_H
+#undef EYERAY_ACCEL_LANES_H
+#else
+#define EYERAY_ACCEL_LANES_H
+#endif
+
+#include "core/geometry/accel.h"
+#include "core/geometry/ray_lanes.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace eyeray::HWY_NAMESPACE {
+
+/// Calls each(lane) for the lanes of a mask.
+template <class Each>
+HWY_INLINE void eachLane(FloatMask mask, const Each& each) {
+    for (std::uint32_t bits = bitsOf(mask); bits != 0; bits &= bits - 1)
+        each(static_cast<std::size_t>(std::countr_zero(bits)));
+}
+
+/// Shapes that have no form for many rays yet are taken ray by ray.
+template <class OtherShape>
+ShapeHitLanes intersect(const OtherShape& shape, const RayLanes& rays) {
+    const RaySpread single(rays);
+    Spread t, u;
+    SpreadInt face;
+    for (std::size_t lane = 0; lane < kLanes; ++lane) {
+        const Hit hit = eyeray::intersect(shape, single.at(lane)).value_or(Hit{});
+        t.lane[lane] = hit.t, u.lane[lane] = hit.u, face.set(lane, hit.primitive);
+    }
+    return {gathered(t), gathered(u), gathered(face)};
+}
+
+template <class Index>
+HWY_INLINE ShapeHitLanes intersectShape(const Instance<Index>& instance, RayLanes rays, FloatLanes limit) {
+    rays = toObject(instance.placement, rays);
+    rays.tMax = limit;
+    const Shape& shape = *std::get_if<Shape>(&instance.geometry);
+    if (const auto* sphere = std::get_if<Sphere>(&shape)) return intersect(*sphere, rays);
+    if (const auto* plane = std::get_if<Plane>(&shape)) return intersect(*plane, rays);
+    return std::visit([&](const auto& other) { return intersect(other, rays); }, shape);
+}
+
+/// Hits in lanes: t is infinite where there is none.
+struct HitLanes {
+    FloatLanes t = all(kInfinity), u = all(0.0F), v = all(0.0F); // as in Hit
+    IntLanes primitive = hn::Zero(IntTag()), instance = hn::Zero(IntTag());
+
+    FloatMask met() const { return t < all(kInfinity); }
+};
+
+struct HitSpread {
+    Spread t, u, v;
+    SpreadInt primitive, instance;
+
+    explicit HitSpread(const HitLanes& hits)
+        : t(spread(hits.t)), u(spread(hits.u)), v(spread(hits.v)), primitive(spread(hits.primitive)),
+          instance(spread(hits.instance)) {}
+    Hit at(std::size_t lane) const {
+        return {t.lane[lane], u.lane[lane], v.lane[lane], primitive.at(lane), instance.at(lane)};
+    }
+    void set(std::size_t lane, const Hit& hit) {
+        t.lane[lane] = hit.t, u.lane[lane] = hit.u, v.lane[lane] = hit.v;
+        primitive.set(lane, hit.primitive), instance.set(lane, hit.instance);
+    }
+    HitLanes gathered() const {
+        namespace here = eyeray::HWY_NAMESPACE;
+        return {here::gathered(t), here::gathered(u), here::gathered(v), here::gathered(primitive),
+                here::gathered(instance)};
+    }
+};
+
+/// The nearest of the hits that come, as NearestHit.
+struct NearestLanes {
+    FloatLanes limit;
+    HitLanes hit;
+
+    HWY_INLINE void offer(const ShapeHitLanes& other, std::uint32_t id) {
+        const IntTag i;
+        const auto ids = hn::Set(i, static_cast<std::int32_t>(id));
+        const auto lower =
+            hn::Or(ids < hit.instance, hn::And(ids == hit.instance, other.face < hit.primitive));
+        const auto tie =
+            hn::And(hn::And(other.t == hit.t, other.t < all(kInfinity)), hn::RebindMask(FloatTag(), lower));
+        const auto better = hn::Or(other.t < hit.t, tie);
+        const auto betterInt = hn::RebindMask(i, better);
+        hit.t = hn::IfThenElse(better, other.t, hit.t);
+        hit.u = hn::IfThenElse(better, other.u, hit.u);
+        hit.primitive = hn::IfThenElse(betterInt, other.face, hit.primitive);
+        hit.instance = hn::IfThenElse(betterInt, ids, hit.instance);
+        limit = hn::IfThenElse(better, nextAbove(other.t), limit);
+    }
+};
+
+/// Calls test(id) for the instances that rays of this mask see until it returns true.
+template <class Test>
+HWY_INLINE void eachSeen(const IndexedGeometry<BruteForce>& geometry, RayMask mask, const Test& test) {
+    for (const auto ids : {std::span<const std::uint32_t>(geometry.always), geometry.top.entries()})
+        for (const std::uint32_t id : ids)
+            if (sees(mask, geometry.instances[id].mask) && test(id)) return;
+}
+
+/// Closest hits of the `asked` rays among the instances of the mask.
+template <class Index>
+HWY_INLINE HitLanes closestHits(const IndexedGeometry<Index>& geometry, const RayLanes& rays, FloatMask asked,
+                                RayMask mask) {
+    if constexpr (std::is_same_v<Index, BruteForce>) {
+        if (geometry.shapesOnly) {
+            NearestLanes nearest{.limit = rays.tMax, .hit = {}};
+            eachSeen(geometry, mask, [&](std::uint32_t id) HWY_ATTR {
+                nearest.offer(intersectShape(geometry.instances[id], rays, nearest.limit), id);
+                return false;
+            });
+            return nearest.hit;
+        }
+    }
+    const RaySpread single(rays);
+    HitSpread hits{HitLanes{}};
+    eachLane(asked, [&](std::size_t lane) {
+        if (const auto hit = closestHit(geometry, single.at(lane), mask)) hits.set(lane, *hit);
+    });
+    return hits.gathered();
+}
+
+/// Which of the `asked` rays hit something of the mask.
+template <class Index>
+HWY_INLINE FloatMask anyHits(const IndexedGeometry<Index>& geometry, const RayLanes& rays, FloatMask asked,
+                             RayMask mask) {
+    if constexpr (std::is_same_v<Index, BruteForce>) {
+        if (geometry.shapesOnly) {
+            const FloatTag f;
+            FloatMask hit = hn::MaskFromVec(hn::Zero(f));
+            eachSeen(geometry, mask, [&](std::uint32_t id) HWY_ATTR {
+                hit = hn::Or(hit, intersectShape(geometry.instances[id], rays, rays.tMax).t < all(kInfinity));
+                return hn::AllFalse(f, hn::AndNot(hit, asked));
+            });
+            return hn::And(hit, asked);
+        }
+    }
+    const RaySpread single(rays);
+    std::uint32_t hit = 0;
+    eachLane(asked, [&](std::size_t lane) {
+        if (anyHit(geometry, single.at(lane), mask)) hit |= 1U << lane;
+    });
+    return maskOf(hit);
+}
+
+/// Calls each(instance, lanes) for every instance that is hit in lanes of `asked`.
+template <class Each>
+HWY_INLINE void eachInstance(IntLanes instances, FloatMask asked, const Each& each) {
+    const SpreadInt ids = spread(instances);
+    for (std::uint32_t bits = bitsOf(asked); bits != 0;) {
+        const std::uint32_t id = ids.at(static_cast<std::size_t>(std::countr_zero(bits)));
+        const auto there =
+            hn::RebindMask(FloatTag(), instances == hn::Set(IntTag(), static_cast<std::int32_t>(id)));
+        each(id, hn::And(there, asked));
+        bits &= ~bitsOf(there);
+    }
+}
+
+/// The surfaces at hits of the `asked` rays, in world space.
+template <class Index>
+HWY_INLINE SurfaceLanes surfacesAt(const IndexedGeometry<Index>& geometry, const RayLanes& rays,
+                                   const HitLanes& hits, FloatMask asked) {
+    SurfaceLanes result{all(Vec3(0)), all(Vec3(0)), all(Vec3(0)), all(Vec3(0))};
+    eachInstance(hits.instance, asked, [&](std::uint32_t id, FloatMask lanes) HWY_ATTR {
+        const Instance<Index>& instance = geometry.instances[id];
+        const Shape* shape = std::get_if<Shape>(&instance.geometry);
+        const auto* sphere = shape != nullptr ? std::get_if<Sphere>(shape) : nullptr;
+        const auto* plane = shape != nullptr ? std::get_if<Plane>(shape) : nullptr;
+        SurfaceLanes here;
+        if (sphere != nullptr) {
+            const RayLanes local = toObject(instance.placement, rays);
+            here = toWorld(instance.placement, surfaceAt(*sphere, local, hits.t, hits.u));
+        } else if (plane != nullptr) {
+            here = toWorld(instance.placement, surfaceAt(*plane, toObject(instance.placement, rays)));
+        } else {
+            const RaySpread single(rays);
+            const HitSpread hit(hits);
+            SurfaceSpread surfaces;
+            eachLane(lanes, [&](std::size_t lane) {
+                surfaces.set(lane, surfaceAt(geometry, single.at(lane), hit.at(lane)));
+            });
+            here = surfaces.gathered();
+        }
+        result.position = select(lanes, here.position, result.position);
+        result.error = select(lanes, here.error, result.error);
+        result.geometricNormal = select(lanes, here.geometricNormal, result.geometricNormal);
+        result.shadingNormal = select(lanes, here.shadingNormal, result.shadingNormal);
+    });
+    return result;
+}
+
+}
+HWY_AFTER_NAMESPACE();
+
+#endif

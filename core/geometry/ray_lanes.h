@@ -1,0 +1,208 @@
+// Rays, hits and surfaces of several rays at once, through the same steps as shapes.h and placement.h take
+// one: the results are the same bits. Compiled once for each instruction set, as core/base/lanes.h.
+#if defined(EYERAY_RAY_LANES_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef EYERAY_RAY_LANES_H
+#undef EYERAY_RAY_LANES_H
+#else
+#define EYERAY_RAY_LANES_H
+#endif
+
+#include "core/base/lanes.h"
+#include "core/geometry/placement.h"
+#include "core/geometry/ray.h"
+#include "core/geometry/shapes.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace eyeray::HWY_NAMESPACE {
+
+struct RayLanes {
+    Vec3Lanes origin, direction;
+    FloatLanes tMin, tMax;
+};
+
+struct RaySpread {
+    Spread3 origin, direction;
+    Spread tMin, tMax;
+
+    explicit RaySpread(const RayLanes& rays)
+        : origin(spread(rays.origin)), direction(spread(rays.direction)), tMin(spread(rays.tMin)),
+          tMax(spread(rays.tMax)) {}
+    Ray at(std::size_t lane) const {
+        return {origin.at(lane), direction.at(lane), tMin.lane[lane], tMax.lane[lane]};
+    }
+};
+
+/// Hits of one shape: t is infinite in lanes without one.
+struct ShapeHitLanes {
+    FloatLanes t, u; // as in Hit
+    IntLanes face;
+};
+
+/// As SurfacePoint.
+struct SurfaceLanes {
+    Vec3Lanes position, error, geometricNormal, shadingNormal;
+};
+
+struct SurfaceSpread {
+    Spread3 position, error, geometricNormal, shadingNormal;
+
+    void set(std::size_t lane, const SurfacePoint& p) {
+        position.set(lane, p.position), error.set(lane, p.error);
+        geometricNormal.set(lane, p.geometricNormal), shadingNormal.set(lane, p.shadingNormal);
+    }
+    SurfaceLanes gathered() const {
+        namespace here = eyeray::HWY_NAMESPACE;
+        return {here::gathered(position), here::gathered(error), here::gathered(geometricNormal),
+                here::gathered(shadingNormal)};
+    }
+};
+
+HWY_INLINE Vec3Lanes times(const Mat3& m, const Vec3Lanes& v) {
+    const auto row = [&](int i) { return all(m[0][i]) * v.x + all(m[1][i]) * v.y + all(m[2][i]) * v.z; };
+    return {row(0), row(1), row(2)};
+}
+
+HWY_INLINE DVec3Lanes times(const DMat3& m, const DVec3Lanes& v) {
+    const auto row = [&](int i) { return all(m[0][i]) * v.x + all(m[1][i]) * v.y + all(m[2][i]) * v.z; };
+    return {row(0), row(1), row(2)};
+}
+
+/// The next float above, as nextAbove.
+HWY_INLINE FloatLanes nextAbove(FloatLanes v) {
+    const IntTag i;
+    return hn::BitCast(FloatTag(), hn::BitCast(i, v) + hn::Set(i, 1));
+}
+
+/// As nextTowards; up where `up` is not negative.
+HWY_INLINE FloatLanes nextTowards(FloatLanes v, FloatMask up) {
+    const IntTag i;
+    const FloatTag f;
+    const auto away = hn::Or(hn::And(v > hn::Zero(f), up), hn::And(v <= hn::Zero(f), hn::Not(up)));
+    const auto step = hn::IfThenElse(hn::RebindMask(i, away), hn::Set(i, 1), hn::Set(i, -1));
+    const auto next = hn::BitCast(f, hn::BitCast(i, v) + step);
+    const auto fromZero = hn::IfThenElse(up, all(0x1p-126F), all(-0x1p-126F));
+    return hn::IfThenElse(v == hn::Zero(f), fromZero, next);
+}
+
+HWY_INLINE Vec3Lanes spawnOrigin(const SurfaceLanes& point, const Vec3Lanes& direction) {
+    const Vec3Lanes& normal = point.geometricNormal;
+    const auto distance = dot(abs(normal), point.error) * all(kSpawnSlack);
+    const Vec3Lanes offset = normal * hn::CopySign(distance, dot(normal, direction));
+    const Vec3Lanes origin = point.position + offset;
+    const auto outward = [](FloatLanes from, FloatLanes by) HWY_ATTR {
+        const auto zero = hn::Zero(FloatTag());
+        return hn::IfThenElse(by == zero, from, nextTowards(from, by > zero));
+    };
+    return {outward(origin.x, offset.x), outward(origin.y, offset.y), outward(origin.z, offset.z)};
+}
+
+HWY_INLINE RayLanes toObject(const Placement& placement, const RayLanes& ray) {
+    const Affine& map = placement.worldToObject();
+    const Vec3Lanes moved = all(map.translation);
+    if (placement.translates()) return {ray.origin + moved, ray.direction, ray.tMin, ray.tMax};
+    return {times(map.linear, ray.origin) + moved, times(map.linear, ray.direction), ray.tMin, ray.tMax};
+}
+
+HWY_INLINE Vec3Lanes normalToWorld(const Placement& placement, const Vec3Lanes& normal) {
+    if (placement.mirrors() != Vec3(0)) return all(placement.mirrors()) * normal;
+    const DVec3Lanes mapped = widen(times(placement.normals(), normal));
+    return narrow(mapped / hn::Sqrt(dot(mapped, mapped)));
+}
+
+/// `point` has one normal for both uses.
+HWY_INLINE SurfaceLanes toWorld(const Placement& placement, const SurfaceLanes& point) {
+    const Affine& map = placement.objectToWorld();
+    SurfaceLanes world;
+    world.error = times(placement.errorGrowth(), abs(point.position)) + all(placement.errorBase());
+    if (placement.translates()) {
+        world.position = point.position + all(map.translation);
+        world.error = world.error + point.error;
+    } else {
+        world.position =
+            narrow(times(DMat3(map.linear), widen(point.position)) + all(DVec3(map.translation)));
+        world.error = world.error + all(glm::abs(map.linear[0])) * point.error.x;
+        world.error = world.error + all(glm::abs(map.linear[1])) * point.error.y;
+        world.error = world.error + all(glm::abs(map.linear[2])) * point.error.z;
+    }
+    world.geometricNormal = normalToWorld(placement, point.geometricNormal);
+    world.shadingNormal = world.geometricNormal;
+    return world;
+}
+
+/// As firstEnd in solid.h, of passages that are `valid`.
+HWY_INLINE ShapeHitLanes firstEnd(DoubleLanes in, DoubleLanes out, IntLanes inFace, IntLanes outFace,
+                                  DoubleMask valid, const RayLanes& ray) {
+    const auto never = all(std::numeric_limits<double>::infinity());
+    const auto there = hn::And(valid, in <= out);
+    const auto first = hn::IfThenElse(there, in, never), second = hn::IfThenElse(there, out, never);
+    const auto t0 = narrow(first), t1 = narrow(second);
+    const auto within = [&](FloatLanes t) HWY_ATTR { return hn::And(t > ray.tMin, t < ray.tMax); };
+    const auto atFirst = within(t0);
+    const auto t = hn::IfThenElse(atFirst, t0, hn::IfThenElse(within(t1), t1, all(kInfinity)));
+    const auto u = hn::IfThenElse(atFirst, narrow(first - widen(t0)), narrow(second - widen(t1)));
+    return {t, u, hn::IfThenElse(hn::RebindMask(IntTag(), atFirst), inFace, outFace)};
+}
+
+HWY_INLINE ShapeHitLanes intersect(const Sphere& sphere, const RayLanes& ray) {
+    const double radius = sphere.radius;
+    const auto zero = hn::Zero(DoubleTag());
+    const DVec3Lanes o = widen(ray.origin), d = widen(ray.direction);
+    const auto a = dot(d, d), b = dot(o, d);
+    const DVec3Lanes aside = cross(o, d);
+    const auto discriminant = a * all(radius * radius) - dot(aside, aside);
+    const auto met = hn::And(discriminant >= zero, all(radius) > zero);
+    const auto face = hn::Zero(IntTag());
+    if (hn::AllFalse(DoubleTag(), met)) return {all(kInfinity), hn::Zero(FloatTag()), face};
+    const auto q = hn::Neg(b + hn::CopySign(hn::Sqrt(discriminant), b));
+    const auto r = q / a, s = (dot(o, o) - all(radius * radius)) / q;
+    const auto ascending = r < s;
+    return firstEnd(hn::IfThenElse(ascending, r, s), hn::IfThenElse(ascending, s, r), face, face, met, ray);
+}
+
+HWY_INLINE DoubleLanes meetsPlane(const RayLanes& ray) {
+    return hn::Neg(widen(ray.origin.y)) / widen(ray.direction.y);
+}
+
+HWY_INLINE ShapeHitLanes intersect(const Plane& plane, const RayLanes& ray) {
+    const auto none = all(kInfinity), zero = hn::Zero(FloatTag());
+    const auto face = hn::Zero(IntTag());
+    const auto descends = ray.direction.y < zero;
+    if (!plane.doubleSided && hn::AllFalse(FloatTag(), descends)) return {none, zero, face};
+    const auto t = meetsPlane(ray);
+    const auto half = [&](FloatLanes origin, FloatLanes direction)
+                          HWY_ATTR { return hn::Abs(widen(origin) + t * widen(direction)) * all(2.0); };
+    const auto inside = hn::And(half(ray.origin.x, ray.direction.x) <= all(static_cast<double>(plane.sizeX)),
+                                half(ray.origin.z, ray.direction.z) <= all(static_cast<double>(plane.sizeZ)));
+    const auto rounded = narrow(hn::IfThenElse(inside, t, all(std::numeric_limits<double>::infinity())));
+    auto met = hn::And(rounded > ray.tMin, rounded < ray.tMax);
+    if (!plane.doubleSided) met = hn::And(met, descends);
+    return {hn::IfThenElse(met, rounded, none), zero, face};
+}
+
+/// The surface at hits of this shape; all in object space.
+HWY_INLINE SurfaceLanes surfaceAt(const DVec3Lanes& position, const Vec3Lanes& normal) {
+    const Vec3Lanes p = narrow(position);
+    return {p, abs(p) * all(gammaBound(1)), normal, normal};
+}
+
+HWY_INLINE SurfaceLanes surfaceAt(const Sphere& sphere, const RayLanes& ray, FloatLanes hitT,
+                                  FloatLanes rest) {
+    const auto t = widen(hitT) + widen(rest);
+    const DVec3Lanes p = widen(ray.origin) + widen(ray.direction) * t;
+    const auto square = dot(p, p);
+    const auto zero = hn::Zero(DoubleTag());
+    const DVec3Lanes normal = p * hn::IfThenElse(square > zero, all(1.0) / hn::Sqrt(square), zero);
+    return surfaceAt(normal * all(static_cast<double>(sphere.radius)), narrow(normal));
+}
+
+HWY_INLINE SurfaceLanes surfaceAt(const Plane&, const RayLanes& ray) {
+    const auto t = meetsPlane(ray);
+    const DVec3Lanes p{widen(ray.origin.x) + t * widen(ray.direction.x), hn::Zero(DoubleTag()),
+                       widen(ray.origin.z) + t * widen(ray.direction.z)};
+    return surfaceAt(p, all(Vec3(0, 1, 0)));
+}
+
+}
+HWY_AFTER_NAMESPACE();
+
+#endif

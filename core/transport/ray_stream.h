@@ -1,0 +1,62 @@
+#pragma once
+// The rays of one depth of many samples, as columns: what is done to all of them is done to several at once.
+
+#include <memory>
+#include <vector>
+
+#include "core/base/math.h"
+#include "core/transport/medium_stack.h"
+
+namespace eyeray {
+
+/// Vectors of three, component by component.
+struct Columns3 {
+    std::vector<float> x, y, z;
+
+    void resize(std::size_t size) { x.resize(size), y.resize(size), z.resize(size); }
+    Vec3 at(std::size_t i) const { return {x[i], y[i], z[i]}; }
+    void set(std::size_t i, const Vec3& v) { x[i] = v.x, y[i] = v.y, z[i] = v.z; }
+};
+
+/// All columns have room for `kCapacity` rays and for the lanes of a register more.
+struct RayStream {
+    static constexpr std::size_t kCapacity = 1024, kPadding = 16;
+
+    RayStream() {
+        constexpr std::size_t room = kCapacity + kPadding;
+        for (Columns3* columns : {&origin, &direction, &share, &weight, &direct, &onward, &transmitted})
+            columns->resize(room);
+        for (std::vector<float>* column : {&t, &u, &v}) column->resize(room);
+        for (std::vector<std::uint32_t>* column : {&primitive, &instance, &order, &parent, &sample})
+            column->resize(room);
+        media.resize(room);
+    }
+
+    std::size_t size = 0;
+    Columns3 origin, direction;        // direction is unit
+    Columns3 share;                    // of a ray's radiance that its parent's hit sends on
+    Columns3 weight;                   // of its radiance that reaches the pixel
+    std::vector<MediumStack> media;    // it runs in
+    std::vector<std::uint32_t> parent; // in the stream of the depth before
+    std::vector<std::uint32_t> sample; // of the tile
+
+    std::vector<float> t, u, v; // of hits, by the names of Hit
+    std::vector<std::uint32_t> primitive, instance;
+    static constexpr std::uint32_t kMissed = 0xffffffff; // instance of a ray that meets the background
+    std::vector<std::uint32_t> order;                    // of those that hit something, by what they hit
+    std::size_t ordered = 0;
+    Columns3 direct, onward, transmitted; // radiance of a ray = (direct + onward)·transmitted
+};
+
+/// What a thread needs to trace streams, kept from one tile to the next.
+struct StreamMemory {
+    std::vector<std::unique_ptr<RayStream>> streams; // by depth
+    std::vector<int> treeNodes;                      // of each sample's tree
+
+    RayStream& stream(std::size_t depth) {
+        while (streams.size() <= depth) streams.push_back(std::make_unique<RayStream>());
+        return *streams[depth];
+    }
+};
+
+}

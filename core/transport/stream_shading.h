@@ -1,0 +1,253 @@
+// Shading of several hits at once, through the same steps as shading_point.h, direct_light.h and next_rays.h
+// take one: the results are the same bits. Compiled once for each instruction set, as core/base/lanes.h.
+#if defined(EYERAY_STREAM_SHADING_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef EYERAY_STREAM_SHADING_H
+#undef EYERAY_STREAM_SHADING_H
+#else
+#define EYERAY_STREAM_SHADING_H
+#endif
+
+#include "core/geometry/ray_lanes.h"
+#include "core/scene/world.h"
+#include "core/transport/settings.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace eyeray::HWY_NAMESPACE {
+
+/// As ShadingPoint.
+struct ShadingLanes {
+    SurfaceLanes at;
+    Vec3Lanes wo, normal, geometricNormal;
+    FloatMask front;
+};
+
+HWY_INLINE ShadingLanes shadingOf(const SurfaceLanes& at, const Vec3Lanes& direction) {
+    const auto zero = hn::Zero(FloatTag());
+    ShadingLanes p;
+    p.at = at;
+    p.wo = -direction;
+    p.front = dot(at.geometricNormal, p.wo) >= zero;
+    p.geometricNormal = select(p.front, at.geometricNormal, -at.geometricNormal);
+    const auto sameSide = dot(at.shadingNormal, at.geometricNormal) >= zero;
+    const auto same = hn::Not(hn::Xor(p.front, sameSide));
+    p.normal = select(same, at.shadingNormal, -at.shadingNormal);
+    p.normal = select(dot(p.normal, p.wo) > zero, p.normal, p.geometricNormal);
+    return p;
+}
+
+/// As Surface, of materials that differ in nothing but their colours' values.
+struct MaterialLanes {
+    Vec3Lanes ambient, diffuse, specular;
+    FloatLanes shininess;
+    SpecularModel specularModel;
+    Vec3Lanes reflectivity, transmission, normalReflectivity, grazingReflectivity;
+    FloatLanes dielectric;
+    Vec3Lanes refractable;
+    FloatLanes ior;
+    Vec3Lanes emission;
+};
+
+HWY_INLINE MaterialLanes materialOf(const Surface& s) {
+    return {all(s.ambient),
+            all(s.diffuse),
+            all(s.specular),
+            all(s.shininess),
+            s.specularModel,
+            all(s.reflectivity),
+            all(s.transmission),
+            all(s.normalReflectivity),
+            all(s.grazingReflectivity),
+            all(s.dielectric),
+            all(s.refractable),
+            all(s.ior),
+            all(s.emission)};
+}
+
+/// A surface for each lane.
+inline MaterialLanes materialOf(const std::array<Surface, kLanes>& surfaces) {
+    const auto numbers = [&](float Surface::* member) HWY_ATTR {
+        Spread s;
+        for (std::size_t lane = 0; lane < kLanes; ++lane) s.lane[lane] = surfaces[lane].*member;
+        return gathered(s);
+    };
+    const auto colors = [&](Color Surface::* member) HWY_ATTR {
+        Spread3 s;
+        for (std::size_t lane = 0; lane < kLanes; ++lane) s.set(lane, surfaces[lane].*member);
+        return gathered(s);
+    };
+    return {colors(&Surface::ambient),
+            colors(&Surface::diffuse),
+            colors(&Surface::specular),
+            numbers(&Surface::shininess),
+            surfaces[0].specularModel,
+            colors(&Surface::reflectivity),
+            colors(&Surface::transmission),
+            colors(&Surface::normalReflectivity),
+            colors(&Surface::grazingReflectivity),
+            numbers(&Surface::dielectric),
+            colors(&Surface::refractable),
+            numbers(&Surface::ior),
+            colors(&Surface::emission)};
+}
+
+/// As LightSample, in the lanes that the lamp shines to.
+struct LightLanes {
+    FloatMask shines;
+    Vec3Lanes wi;
+    FloatLanes distance;
+    Vec3Lanes irradiance;
+};
+
+HWY_INLINE LightLanes sampleLight(const WorldLight& light, const Vec3Lanes& position) {
+    const auto zero = hn::Zero(FloatTag()), one = all(1.0F);
+    const Vec3Lanes emission = all(light.emission);
+    if (light.kind == WorldLight::Kind::Directional)
+        return {zero == zero, all(-light.direction), all(kInfinity), emission};
+    const Vec3Lanes to = all(light.position) - position;
+    const auto distance = hn::Sqrt(dot(to, to));
+    const Vec3Lanes wi = to / distance;
+    auto factor = one;
+    if (light.kind != WorldLight::Kind::Point) {
+        const auto cosine = hn::Neg(dot(all(light.direction), wi));
+        if (light.kind == WorldLight::Kind::Facing) {
+            factor = hn::Max(zero, cosine);
+        } else {
+            const auto width = all(std::max(light.cosInner - light.cosOuter, 1e-4F));
+            const auto edge = hn::Min(hn::Max((cosine - all(light.cosOuter)) / width, zero), one);
+            factor = edge * edge;
+        }
+    }
+    if (light.falloff) factor = factor / (distance * distance);
+    const auto near = hn::And(distance > zero, distance <= all(light.range));
+    return {hn::And(near, factor > zero), wi, distance, emission * factor};
+}
+
+/// As Environment::radiance.
+HWY_INLINE Vec3Lanes radianceOf(const Environment& environment, const Vec3Lanes& direction) {
+    const auto below = direction.y < hn::Zero(FloatTag());
+    const Vec3Lanes end = select(below, all(environment.nadir), all(environment.zenith));
+    const auto share = hn::Sqrt(hn::Abs(direction.y));
+    return all(environment.horizon) * (all(1.0F) - share) + end * share;
+}
+
+HWY_INLINE Vec3Lanes reflected(const Vec3Lanes& wo, const Vec3Lanes& normal) {
+    return normal * (all(2.0F) * dot(normal, wo)) - wo;
+}
+
+/// The local model's kd (n·l) + ks (lobe), black in lanes that `asked` leaves out.
+inline Vec3Lanes localModel(const ShadingLanes& p, const MaterialLanes& m, const Vec3Lanes& wi,
+                            FloatMask asked) {
+    const FloatTag f;
+    const auto zero = hn::Zero(f);
+    const auto cosine = dot(p.normal, wi);
+    const auto lit = hn::And(hn::And(cosine > zero, dot(p.geometricNormal, wi) > zero), asked);
+    const Vec3Lanes diffuse = m.diffuse * cosine;
+    Vec3Lanes specular = all(Color(0));
+    const auto shiny = hn::And(lit, notBlack(m.specular));
+    if (!hn::AllFalse(f, shiny)) {
+        const auto base = m.specularModel == SpecularModel::Phong ? dot(reflected(wi, p.normal), p.wo)
+                                                                  : dot(p.normal, normalize(wi + p.wo));
+        Spread lobe = spread(hn::Zero(f));
+        const Spread bases = spread(base), exponents = spread(m.shininess);
+        for (std::uint32_t bits = bitsOf(hn::And(shiny, base > zero)); bits != 0; bits &= bits - 1) {
+            const auto lane = static_cast<std::size_t>(std::countr_zero(bits));
+            lobe.lane[lane] = std::pow(bases.lane[lane], exponents.lane[lane]);
+        }
+        specular = orZero(shiny, m.specular * gathered(lobe));
+    }
+    return orZero(lit, diffuse + specular);
+}
+
+HWY_INLINE DoubleLanes sineSquared(DoubleLanes cosine, DoubleLanes eta) {
+    const auto one = all(1.0);
+    return eta * eta * hn::Max(hn::Zero(DoubleTag()), (one - cosine) * (one + cosine));
+}
+
+/// Not a number on total internal reflection.
+HWY_INLINE Vec3Lanes refracted(const Vec3Lanes& wo, const Vec3Lanes& normal, FloatLanes eta) {
+    const auto cosine = widen(dot(normal, wo)), wide = widen(eta);
+    const auto sine2 = sineSquared(cosine, wide);
+    const auto inner = hn::Sqrt(hn::IfThenElse(sine2 < all(1.0), all(1.0) - sine2, all(-1.0)));
+    return normalize(wo * hn::Neg(eta) + normal * narrow(wide * cosine - inner));
+}
+
+HWY_INLINE FloatLanes fresnelDielectric(FloatLanes cosine, FloatLanes eta) {
+    const auto one = all(1.0);
+    const auto c = widen(hn::Min(hn::Max(cosine, all(0.0F)), all(1.0F))), e = widen(eta);
+    const auto sine2 = sineSquared(c, e);
+    const auto inner = hn::Sqrt(one - sine2);
+    const auto perpendicular = (e * c - inner) / (e * c + inner);
+    const auto parallel = (c - e * inner) / (c + e * inner);
+    const auto share = all(0.5) * (perpendicular * perpendicular + parallel * parallel);
+    return narrow(hn::IfThenElse(sine2 >= one, one, share));
+}
+
+HWY_INLINE Vec3Lanes mirrorShare(const MaterialLanes& m, FloatLanes cosine) {
+    const FloatTag f;
+    const auto zero = hn::Zero(f), one = all(1.0F);
+    const Vec3Lanes &a = m.normalReflectivity, &b = m.grazingReflectivity;
+    const auto rises = hn::Or(hn::Or(a.x != b.x, a.y != b.y), a.z != b.z);
+    if (hn::AllFalse(f, rises)) return a;
+    const auto root = (m.ior - one) / (m.ior + one);
+    const auto f0 = root * root;
+    auto rise = (fresnelDielectric(cosine, one / m.ior) - f0) / (one - f0);
+    rise = hn::Max(hn::IfThenElseZero(f0 < one, rise), zero);
+    return select(rises, a + (b - a) * rise, a);
+}
+
+HWY_INLINE Vec3Lanes mirrorDirection(const ShadingLanes& p) {
+    const Vec3Lanes direction = reflected(p.wo, p.normal);
+    const auto inFront = dot(direction, p.geometricNormal) > hn::Zero(FloatTag());
+    return select(inFront, direction, reflected(p.wo, p.geometricNormal));
+}
+
+/// As NextRays; media and the η between them are found one by one.
+struct NextLanes {
+    Vec3Lanes reflection, refraction, reflectedShare, refractedShare;
+};
+
+HWY_INLINE NextLanes mirrored(const ShadingLanes& p, const MaterialLanes& m, FresnelMode fresnel) {
+    NextLanes next;
+    next.reflectedShare =
+        fresnel == FresnelMode::Exact ? mirrorShare(m, dot(p.normal, p.wo)) : m.reflectivity;
+    next.reflection = mirrorDirection(p);
+    next.refraction = next.refractedShare = all(Color(0));
+    return next;
+}
+
+/// Adds what glass does. Total internal reflection takes all that Fresnel's equations divide, whatever the
+/// weights. `eta` as in NextRays, `solid` where the surface has an inside.
+HWY_INLINE void addGlass(const ShadingLanes& p, const MaterialLanes& m, FresnelMode fresnel, FloatLanes eta,
+                         FloatMask solid, NextLanes& next) {
+    const FloatTag f;
+    const auto zero = hn::Zero(f), one = all(1.0F);
+    const auto glass = notBlack(m.transmission);
+    const auto cosine = dot(p.normal, p.wo);
+    Vec3Lanes direction = refracted(p.wo, p.normal, eta);
+    const auto wrongSide = dot(direction, p.geometricNormal) >= zero;
+    if (!hn::AllFalse(f, wrongSide))
+        direction = select(wrongSide, refracted(p.wo, p.geometricNormal, eta), direction);
+    const auto passes = direction.x == direction.x;
+    const auto total = hn::And(hn::AndNot(passes, solid), glass);
+    const auto some = hn::AndNot(total, glass);
+    Vec3Lanes reflects = next.reflectedShare, refracts = m.transmission;
+    if (fresnel == FresnelMode::Exact) {
+        const auto reflectance = fresnelDielectric(cosine, eta);
+        const auto added = m.dielectric * reflectance;
+        reflects = {reflects.x + added, reflects.y + added, reflects.z + added};
+        refracts = m.refractable * (one - reflectance);
+    }
+    next.reflectedShare = select(some, reflects, next.reflectedShare);
+    if (!hn::AllFalse(f, total)) {
+        const Vec3Lanes mirror = mirrorShare(m, cosine);
+        const Vec3Lanes all3{mirror.x + m.dielectric, mirror.y + m.dielectric, mirror.z + m.dielectric};
+        next.reflectedShare = select(total, all3, next.reflectedShare);
+    }
+    next.refractedShare = orZero(some, refracts);
+    next.refraction = select(solid, direction, -p.wo);
+}
+
+}
+HWY_AFTER_NAMESPACE();
+
+#endif

@@ -1,0 +1,120 @@
+// How much of a lamp's light arrives at several points at once: as `visibility` of direct_light.h, by the
+// same steps. Compiled once for each instruction set, as core/base/lanes.h.
+#if defined(EYERAY_STREAM_VISIBILITY_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef EYERAY_STREAM_VISIBILITY_H
+#undef EYERAY_STREAM_VISIBILITY_H
+#else
+#define EYERAY_STREAM_VISIBILITY_H
+#endif
+
+#include "core/geometry/accel_lanes.h"
+#include "core/transport/direct_light.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace eyeray::HWY_NAMESPACE {
+
+using MediumLanes = std::array<MediumStack, kLanes>; // what each ray runs in
+
+/// Of a World, known before tracing.
+struct GlassNeeds {
+    bool any = false;        // something transmits
+    bool attenuates = false; // some medium takes light on the way
+    bool varies = false;     // some glass has a texture
+
+    explicit GlassNeeds(const World& world) : any(world.needs.refractions) {
+        for (const WorldMaterial& material : world.materials) {
+            attenuates |= material.transmits && !isBlack(material.surface.attenuation);
+            varies |= material.transmits && material.varies;
+        }
+        for (const WorldObject& object : world.objects)
+            varies |= object.vertexColors && world.materials[object.material].transmits;
+    }
+};
+
+inline Color attenuationIn(const World& world, const MediumStack& media) {
+    if (media.top() == MediumStack::kVacuum) return Color(0);
+    return world.materials[world.objects[media.top()].material].surface.attenuation;
+}
+
+/// As detail::filteredStraight, of glass without textures.
+template <class Index>
+Vec3Lanes filteredStraight(const World& world, const IndexedGeometry<Index>& geometry,
+                           const GlassNeeds& needs, RayLanes rays, FloatMask asked, MediumLanes media) {
+    constexpr int kMostSurfaces = 256; // more are taken as opaque
+    const FloatTag f;
+    Spread3 transmitted = spread(all(Color(1)));
+    for (int i = 0; i < kMostSurfaces; ++i) {
+        const HitLanes hits = closestHits(geometry, rays, asked, RayMask::Transparent);
+        const auto length = hn::IfThenElse(hits.met(), hits.t, rays.tMax);
+        if (needs.attenuates) {
+            const Spread lengths = spread(length);
+            eachLane(asked, [&](std::size_t lane) {
+                const Color left = transmittanceOf(attenuationIn(world, media[lane]), lengths.lane[lane]);
+                transmitted.set(lane, transmitted.at(lane) * left);
+            });
+        }
+        asked = hn::And(asked, hn::And(hits.met(), notBlack(gathered(transmitted))));
+        if (hn::AllFalse(f, asked)) return gathered(transmitted);
+        const SurfaceLanes at = surfacesAt(geometry, rays, hits, asked);
+        const std::uint32_t front = bitsOf(dot(at.geometricNormal, -rays.direction) >= hn::Zero(f));
+        const SpreadInt instances = spread(hits.instance);
+        eachLane(asked, [&](std::size_t lane) {
+            const std::uint32_t instance = instances.at(lane);
+            const WorldObject& object = world.objects[instance];
+            transmitted.set(lane,
+                            transmitted.at(lane) * world.materials[object.material].surface.transmission);
+            if (!object.solid) return;
+            const bool entered = ((front >> lane) & 1U) != 0;
+            media[lane] = entered ? media[lane].entered(instance) : media[lane].left(instance);
+        });
+        rays.origin = select(asked, spawnOrigin(at, rays.direction), rays.origin);
+        rays.tMax = rays.tMax - length;
+    }
+    return orZero(hn::Not(asked), gathered(transmitted));
+}
+
+/// Share of a lamp's light that arrives along the `asked` rays, by the named policy for glass.
+template <class Index>
+Vec3Lanes visibility(const TraceContext& context, const IndexedGeometry<Index>& geometry,
+                     const GlassNeeds& needs, const RayLanes& rays, FloatMask asked,
+                     const MediumLanes& media) {
+    const FloatTag f;
+    const GlassShadows policy = context.settings.glassShadows;
+    const auto blocked = anyHits(geometry, rays, asked, RayMask::Objects);
+    auto passes = hn::AndNot(blocked, asked);
+    const auto ones = [&] { return orZero(passes, all(Color(1))); };
+    if (!needs.any || policy == GlassShadows::AllBlock) return ones();
+    const auto byOpaque =
+        hn::AllFalse(f, blocked) ? blocked : anyHits(geometry, rays, blocked, RayMask::Opaque);
+    const auto byGlass = hn::AndNot(byOpaque, blocked);
+    if (policy == GlassShadows::OpaqueOnly) {
+        passes = hn::AndNot(byOpaque, asked);
+        return ones();
+    }
+    std::uint32_t filtered = bitsOf(byGlass);
+    if (needs.attenuates)
+        eachLane(passes, [&](std::size_t lane) {
+            if (media[lane].top() != MediumStack::kVacuum) filtered |= 1U << lane;
+        });
+    if (filtered == 0) return ones();
+    if (!needs.varies) {
+        const auto lanes = maskOf(filtered);
+        const Vec3Lanes left = filteredStraight(*context.world, geometry, needs, rays, lanes, media);
+        return select(lanes, left, ones());
+    }
+    Spread3 result = spread(ones());
+    const RaySpread single(rays);
+    RayCounts counts;
+    NoRecorder recorder;
+    SampleState<Index, NoRecorder> state{context, geometry, counts, recorder, {}};
+    eachLane(maskOf(filtered), [&](std::size_t lane) {
+        constexpr Features kAll{.varying = true, .transparent = true};
+        result.set(lane, detail::filteredStraight<kAll>(state, single.at(lane), media[lane]));
+    });
+    return gathered(result);
+}
+
+}
+HWY_AFTER_NAMESPACE();
+
+#endif
