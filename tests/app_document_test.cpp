@@ -51,7 +51,9 @@ TEST(Command, ABadLineGivesOneClearLine) {
                                       {"set max-depth", "without ="},
                                       {"set =5", "without ="},
                                       {"open scene=\"a", "quote"},
-                                      {"set fov=1 fov=2", "twice"}})
+                                      {"set fov=1 fov=2", "twice"},
+                                      {"\"set it\" fov=1", "name of a command"},
+                                      {"set \"the fov\"=1", "letters"}})
         try {
             Command::parse(line);
             ADD_FAILURE() << line;

@@ -63,6 +63,14 @@ std::optional<std::array<double, N>> numbers(std::string_view text) {
     return values;
 }
 
+/// Names of commands and keys need no quotes and take none.
+bool isName(std::string_view word) {
+    return !word.empty() && std::ranges::all_of(word, [](char c) {
+        return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '-' ||
+               c == '_';
+    });
+}
+
 }
 
 Command Command::parse(std::string_view line) {
@@ -70,6 +78,9 @@ Command Command::parse(std::string_view line) {
     if (line.empty())
         throw InputError("command", "the line is empty", "write a command such as: set max-depth=5");
     Command command(takeWord(line));
+    if (!isName(command.name_))
+        throw InputError(command.name_, "not the name of a command",
+                         "write a command such as: set max-depth=5");
     while (!line.empty()) {
         const std::string word = takeWord(line);
         const std::size_t equals = word.find('=');
@@ -77,6 +88,9 @@ Command Command::parse(std::string_view line) {
             throw InputError(fmt::format("{} {}", command.name_, word),
                              "an argument without =", "write key=value");
         const std::string key = word.substr(0, equals);
+        if (!isName(key))
+            throw InputError(fmt::format("{} {}", command.name_, word), "a key is letters, digits and -",
+                             "write key=value");
         if (command.find(key))
             throw InputError(fmt::format("{} {}", command.name_, word), fmt::format("{} is given twice", key),
                              "give it once");
