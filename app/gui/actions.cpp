@@ -76,6 +76,7 @@ constexpr std::array kActions = {
     Action{"View", "Play: one ray back", ",", "play to=back"},
     Action{"View", "Play: the next hit", "Shift+.", "play to=hit"},
     Action{"View", "Play a coarse picture, pixel by pixel", "Shift+Y", "play-grid"},
+    Action{"View", "What is under the pointer", "H", "hover"},
     Action{"View", "Brighter", "B", "adjust key=exposure by=0.5"},
     Action{"View", "Darker", "Shift+B", "adjust key=exposure by=-0.5"},
     Action{"View", "Presenter size", "P", "presenter"},
@@ -91,6 +92,7 @@ constexpr std::array kActions = {
 };
 
 constexpr std::array kGestures = {
+    Gesture{"Over the picture", "a few lines tell of the pixel under the pointer; H switches them off"},
     Gesture{"Left click", "picks the pixel and selects its object"},
     Gesture{"Left drag", "orbits about the target"},
     Gesture{"Middle drag", "moves the camera sideways"},

@@ -36,6 +36,7 @@ Gui::Gui(Viewer& viewer, Platform& platform, Preferences preferences)
       rayPane_(platform.gl()) {
     setTheme(preferences_.dark);
     setPresenter(preferences_.presenter);
+    setHover(preferences_.hover);
 }
 
 void Gui::setTheme(bool dark) {
@@ -46,6 +47,11 @@ void Gui::setTheme(bool dark) {
 void Gui::setPresenter(bool on) {
     preferences_.presenter = on;
     platform_.setTextScale(on ? kPresenterScale : 1.0F);
+}
+
+void Gui::setHover(bool on) {
+    preferences_.hover = on;
+    picture_.setHover(on);
 }
 
 bool Gui::execute(const Command& command, const std::string& gesture) {
@@ -102,7 +108,7 @@ void Gui::frame() {
     dialog(ui);
     if (raysFile_) writeRays(ui);
     viewer_.watchFile();
-    animating_ = viewer_.update() || fly_ || viewer_.noticesPass();
+    animating_ = viewer_.update() || fly_ || viewer_.noticesPass() || picture_.hover().pending();
 }
 
 /// The picture and, if asked for, what explains it.

@@ -52,11 +52,13 @@ public:
     void setPresenter(bool);
     void setPanels(bool shown) { preferences_.panels = shown; }
     void setExplain(bool on) { preferences_.explain = on; }
+    void setHover(bool);
     /// Brings the tab of this label to the front, with the next frame.
     void showTab(std::string_view label) { wantedTab_ = label; }
     void setRasterised(bool on) { picture_.setRasterised(on); }
     bool rasterised() const { return picture_.rasterised(); }
     RayPane& rayPane() { return rayPane_; }
+    const PictureView& picture() const { return picture_; }
     void setFly(bool on) { fly_ = on; }
     bool fly() const { return fly_; }
     void saveRays(std::filesystem::path file, std::optional<PictureSize> size) {

@@ -47,6 +47,7 @@ void tab(Gui& gui, const Command& command) {
 }
 
 void explain(Gui& gui, const Command& command) { gui.setExplain(wanted(command, gui.preferences().explain)); }
+void hover(Gui& gui, const Command& command) { gui.setHover(wanted(command, gui.preferences().hover)); }
 void rasterised(Gui& gui, const Command& command) { gui.setRasterised(wanted(command, gui.rasterised())); }
 void rayview(Gui& gui, const Command& command) { gui.rayPane().execute(command); }
 void other(Gui& gui, const Command& command) { gui.setOther(wanted(command, gui.other())); }
@@ -165,6 +166,7 @@ constexpr std::array kCommands = {
     GuiCommand{"panels", "on=on|off", "Shows or hides the panels.", panels},
     GuiCommand{"explain", "on=on|off", "Shows the picked pixel's rays in space, its tree and its sum.",
                explain},
+    GuiCommand{"hover", "on=on|off", "Tells of the pixel under the pointer, and shows its rays.", hover},
     GuiCommand{"rayview",
                "view=frame|follow|top|side|front yaw=DEG pitch=DEG right=M up=M dolly=F "
                "show=pixel|row|column|grid step=N labels=on|off boxes=none|level|ray level=N",

@@ -78,6 +78,15 @@ void LayerView::countObjects() {
               [&](int a, int b) { return std::pair(size(b), a) < std::pair(size(a), b); });
 }
 
+std::string LayerView::textAt(double across, double down) const {
+    const Color value = image_.values.at(static_cast<int>(across * image_.values.width()),
+                                         static_cast<int>(down * image_.values.height()));
+    const Quantity quantity = image_.layer.quantity;
+    const bool one = hasRange(quantity) || quantity == Quantity::Object;
+    return fmt::format("{}: {}", image_.layer.name,
+                       one ? valueText(quantity, static_cast<double>(value.x)) : colorText(value));
+}
+
 void LayerView::legend(const Widgets& ui, const LegendPlace& place) const {
     legendPane(ui, "layer legend", place, [&] {
         const Quantity quantity = image_.layer.quantity;

@@ -21,6 +21,9 @@ public:
     bool showing() const { return film_ != nullptr; }
     const GlTexture& texture() const { return texture_; }
 
+    /// What it has at a place of the picture, both as shares of the picture's sides: "visits: 57 nodes".
+    std::string textAt(double across, double down) const;
+
     /// Name and meaning, and the colour bar with its numbers or the objects with their colours.
     void legend(const Widgets&, const LegendPlace&) const;
 

@@ -55,6 +55,7 @@ void PictureView::draw(const Widgets& ui, bool other) {
     ui.mark("picture");
     if (!ui.viewer.hasScene()) return;
     mouse(ui, corner);
+    tellHovered(ui, corner, {corner.x + size.x / 2, corner.y + size.y / 2});
     if (playsGrid_) return;
     pickedMark(ui, corner);
     if (rasterised_) raster_.note(ui, corner);
@@ -159,10 +160,29 @@ void PictureView::drag(const Widgets& ui, int button, ImVec2 delta) {
     }
 }
 
-void PictureView::pick(const Widgets& ui, ImVec2 position, ImVec2 corner) {
+/// Of the picture itself alone: beside or in place of it other things stand under the pointer.
+void PictureView::tellHovered(const Widgets& ui, ImVec2 corner, ImVec2 middle) {
+    const bool asked = hovers_ && ImGui::IsItemHovered() && !ImGui::IsAnyMouseDown();
+    const bool itself = !playsGrid_ && !rasterised_ && !ui.viewer.document().comparison.on;
+    const auto pixel = pixelAt(ImGui::GetIO().MousePos, corner);
+    if (!asked || !itself || !pixel) return hover_.leave();
+    hover_.over(ui.viewer, *pixel, film_.version());
+    const double across = (pixel->x + 0.5) / shown().width(), down = (pixel->y + 0.5) / shown().height();
+    hover_.draw(ui, middle, shown().at(pixel->x, pixel->y),
+                layer_.showing() ? layer_.textAt(across, down) : "");
+}
+
+/// The pixel of the picture at a position in the window.
+std::optional<PixelPosition> PictureView::pixelAt(ImVec2 position, ImVec2 corner) const {
     const int x = static_cast<int>(position.x - corner.x), y = static_cast<int>(position.y - corner.y);
-    if (x < 0 || y < 0 || x >= shown().width() || y >= shown().height()) return;
-    ui.execute({"pick", {{"x", fmt::format("{}", x)}, {"y", fmt::format("{}", y)}}}, {});
+    if (x < 0 || y < 0 || x >= shown().width() || y >= shown().height()) return std::nullopt;
+    return PixelPosition{x, y};
+}
+
+void PictureView::pick(const Widgets& ui, ImVec2 position, ImVec2 corner) {
+    const auto pixel = pixelAt(position, corner);
+    if (pixel)
+        ui.execute({"pick", {{"x", fmt::format("{}", pixel->x)}, {"y", fmt::format("{}", pixel->y)}}}, {});
 }
 
 /// A square around the picked pixel that is seen on any ground.

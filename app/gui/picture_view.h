@@ -4,6 +4,7 @@
 #include "app/gui/compare_view.h"
 #include "app/gui/film_texture.h"
 #include "app/gui/grid_view.h"
+#include "app/gui/hover_view.h"
 #include "app/gui/layer_view.h"
 #include "app/gui/raster_view.h"
 #include "app/gui/widgets.h"
@@ -23,6 +24,10 @@ public:
     void setRasterised(bool on);
     bool rasterised() const { return rasterised_; }
 
+    /// Tells of the pixel under the pointer.
+    void setHover(bool on) { hovers_ = on; }
+    const HoverView& hover() const { return hover_; }
+
     /// The picture, as displayed.
     const ByteImage& shown() const { return rasterised_ ? raster_.shown() : film_.shown(); }
     /// The same on the graphics card, or the coarse picture while that is played.
@@ -37,6 +42,8 @@ private:
     void image(const Widgets&, ImVec2 corner, ImVec2 size, bool other) const;
     void mouse(const Widgets&, ImVec2 corner);
     void drag(const Widgets&, int button, ImVec2 delta);
+    void tellHovered(const Widgets&, ImVec2 corner, ImVec2 middle);
+    std::optional<PixelPosition> pixelAt(ImVec2 position, ImVec2 corner) const;
     void pick(const Widgets&, ImVec2 position, ImVec2 corner);
     void pickedMark(const Widgets&, ImVec2 corner) const;
 
@@ -45,7 +52,8 @@ private:
     LayerView layer_;
     CompareView compare_;
     GridView grid_;
-    bool rasterised_ = false, playsGrid_ = false;
+    HoverView hover_;
+    bool rasterised_ = false, playsGrid_ = false, hovers_ = true;
     std::uint64_t switches_ = 0; // between traced, rasterised and coarse
     int drags_ = 0;              // counts them, so that each is one step of undo
     bool dragging_ = false;

@@ -24,6 +24,7 @@ void read(Preferences& preferences, const Command& line) {
     preferences.presenter = line.flag("presenter").value_or(preferences.presenter);
     preferences.panels = line.flag("panels").value_or(preferences.panels);
     preferences.explain = line.flag("explain").value_or(preferences.explain);
+    preferences.hover = line.flag("hover").value_or(preferences.hover);
     preferences.maximized = line.flag("maximized").value_or(preferences.maximized);
     preferences.windowWidth =
         line.integer("width", kSmallestWindow, kLargestWindow).value_or(preferences.windowWidth);
@@ -64,6 +65,7 @@ void savePreferences(const Preferences& preferences, const fs::path& file) noexc
                                               {"presenter", toText(preferences.presenter)},
                                               {"panels", toText(preferences.panels)},
                                               {"explain", toText(preferences.explain)},
+                                              {"hover", toText(preferences.hover)},
                                               {"maximized", toText(preferences.maximized)},
                                               {"width", fmt::format("{}", preferences.windowWidth)},
                                               {"height", fmt::format("{}", preferences.windowHeight)}})

@@ -12,6 +12,7 @@ struct Preferences {
     bool presenter = false; // large text
     bool panels = true;     // shown
     bool explain = false;   // rays in space, tree and sum beside the picture
+    bool hover = true;      // what is under the pointer is told
     int windowWidth = 1440, windowHeight = 860;
     bool maximized = false;
     std::vector<std::string> recentScenes; // newest first

@@ -239,6 +239,11 @@ RayViewContent RayPane::content(const Widgets& ui, const PictureView& picture) {
         if (const auto cell = player.current()) content.pixel = DVec2(grid.column(*cell), grid.row(*cell));
     }
     for (const Retrace& trace : many_.samples()) content.samples.push_back(&trace);
+    const auto& hovered = picture.hover().pixel();
+    if (hovered && hovered->pixel != viewer.document().pixel) {
+        content.hovered = &hovered->trace;
+        content.hoveredPixel = DVec2(hovered->pixel.x, hovered->pixel.y);
+    }
     return content;
 }
 

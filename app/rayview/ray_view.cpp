@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "app/rayview/pen.h"
+
 namespace eyeray {
 namespace {
 
@@ -13,6 +15,8 @@ constexpr float kReach = 2.5F;       // of endless rays, in radii of the scene
 constexpr float kTolerance = 0.003F; // of the outside distance: see DepthView
 constexpr double kGridApart = 7;     // pixels at least
 constexpr float kThinMany = 0.55F;   // width of rays where several samples are shown
+constexpr float kPale = 0.6F;        // of the rays of the pixel under the pointer
+constexpr std::size_t kMostHovered = 200;
 
 Projection projectionFor(const World& world, const Camera& outside, int width, int height) {
     const double distance = outside.distance();
@@ -77,6 +81,21 @@ void RayView::drawPlane(const RayViewContent& content, const ImagePlane& plane) 
                DVec2(content.pictureWidth, content.pictureHeight) / static_cast<double>(step));
 }
 
+void RayView::drawHovered(const RayViewContent& content, const DepthView& view, const ImagePlane& plane,
+                          const RayStyle& style) {
+    RayStyle pale = style;
+    for (Ink& ink : pale.kinds) ink = faded(ink, kPale);
+    for (Ink* const ink : {&pale.blocked, &pale.unlit, &pale.highlight}) *ink = faded(*ink, kPale);
+    Sketch hovered;
+    drawPixel(hovered, view, plane, content.hoveredPixel, content.pictureWidth, content.pictureHeight, pale);
+    const auto arrows = arrowsOf(*content.hovered, *content.world, 0, kReach * content.world->radius);
+    drawArrows(hovered, view, weightiest(arrows, kMostHovered, -1), pale, -1, kThinMany);
+    for (SketchPath& path : hovered.paths) {
+        path.tag = -1; // clicks do not select them
+        sketch_.paths.push_back(std::move(path));
+    }
+}
+
 void RayView::drawSketch(const RayViewContent& content, const ImagePlane& plane, const RayStyle& style) {
     const auto tolerance = static_cast<float>(kTolerance * outside_.camera().distance());
     const DepthView view{*projection_, depth_, tolerance};
@@ -97,6 +116,7 @@ void RayView::drawSketch(const RayViewContent& content, const ImagePlane& plane,
     drawEye(sketch_, view, plane, style, content.labels);
     if (content.pixel)
         drawPixel(sketch_, view, plane, *content.pixel, content.pictureWidth, content.pictureHeight, style);
+    if (content.hovered != nullptr) drawHovered(content, view, plane, style);
     if (content.index != nullptr) drawIndex(sketch_, view, *content.index, style);
     const bool many = content.samples.size() > 1;
     drawArrows(sketch_, view, arrows_, style,

@@ -26,8 +26,10 @@ struct RayViewContent {
     std::vector<const SampleRecord*> samples; // those whose rays are shown, the picked one first
     int selectedRay = 0;                      // of the first sample
     const IndexPicture* index = nullptr;      // boxes to be drawn too
-    bool hurried = false;                     // something is being dragged: rather soon than smooth
-    bool labels = true;                       // names, coordinates, vectors and angles
+    const SampleRecord* hovered = nullptr;    // a sample whose rays are shown pale
+    DVec2 hoveredPixel{0};
+    bool hurried = false; // something is being dragged: rather soon than smooth
+    bool labels = true;   // names, coordinates, vectors and angles
 };
 
 /// Used by the thread of its OpenGL.
@@ -53,6 +55,7 @@ public:
 private:
     bool drawScene(const RayViewContent&, int width, int height, const Backdrop&);
     void drawPlane(const RayViewContent&, const ImagePlane&);
+    void drawHovered(const RayViewContent&, const DepthView&, const ImagePlane&, const RayStyle&);
     void drawSketch(const RayViewContent&, const ImagePlane&, const RayStyle&);
 
     const Gl& gl_;
