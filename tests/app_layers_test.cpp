@@ -102,8 +102,8 @@ TEST(LayersUi, ALayerFollowsTheCameraAndTheSwitches) {
 
 TEST(LayersUi, TheLayerOfALampThatIsRemovedGivesWayToThePicture) {
     Screen screen("shadows");
-    const std::string lamp = layersOf(*screen.document().scene).at(15).name;
-    ASSERT_EQ(lamp.rfind("lamp.", 0), 0U);
+    const std::vector<Layer> layers = layersOf(*screen.document().scene);
+    const std::string lamp = std::ranges::find(layers, Quantity::Lamp, &Layer::quantity)->name;
     run(screen, Command("layer", {{"name", lamp}}).text());
     while (!screen.document().scene->lights.empty()) run(screen, "remove-light light=0");
     EXPECT_EQ(shownLayer(screen.document()).quantity, Quantity::Picture);
