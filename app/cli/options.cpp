@@ -28,7 +28,7 @@ void addSetting(CLI::App& app, PictureOptions& options, const std::string& key, 
 void addSwitchOff(CLI::App& app, PictureOptions& options, const std::string& key) {
     app.add_flag_callback(
         "--no-" + key, [&options, key] { options.commands.push_back({"set", {{key, "off"}}}); },
-        fmt::format("no {} rays", key.substr(0, key.size() - 1)));
+        fmt::format("no {} rays", key.back() == 's' ? key.substr(0, key.size() - 1) : key));
 }
 
 void addStop(CLI::App& app, PictureOptions& options, const std::string& key, const std::string& type,
@@ -59,12 +59,14 @@ void addPicture(CLI::App& app, PictureOptions& options) {
     addSetting(app, options, "camera", "NAME|INDEX", "one of the scene's cameras", "camera");
     addSetting(app, options, "aspect", "A", "width by height: 16:9, 1.5");
     addSetting(app, options, "fov", "DEG", "vertical field of view");
-    addSetting(app, options, "method", "NAME", "local, cast or whitted");
+    addSetting(app, options, "method", "NAME", "local, cast, whitted, distributed or path");
     addSetting(app, options, "max-depth", "D", "deepest rays: 0 is eye rays alone, up to 64");
     addSetting(app, options, "cutoff", "C", "smallest contribution that is traced");
-    for (const char* kind : {"shadows", "reflections", "refractions"}) addSwitchOff(app, options, kind);
+    for (const char* kind : {"shadows", "reflections", "refractions", "diffuse"})
+        addSwitchOff(app, options, kind);
     addSetting(app, options, "fresnel", "NAME", "exact or constant weights at glass");
     addSetting(app, options, "glass-shadows", "NAME", "shadow rays at glass: opaque, straight or all");
+    addSetting(app, options, "sampler", "NAME", "independent, stratified or sobol random numbers");
     addStop(app, options, "samples", "N", "stop after N samples per pixel");
     addStop(app, options, "seconds", "S", "stop after S seconds");
     addStop(app, options, "error", "E", "stop when the estimated error (0 to 1) is below E");

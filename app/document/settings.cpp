@@ -89,6 +89,8 @@ constexpr auto cutoff = [](auto& d) -> auto& { return d.render.trace.cutoff; };
 constexpr auto shadows = [](auto& d) -> auto& { return d.render.trace.shadows; };
 constexpr auto reflections = [](auto& d) -> auto& { return d.render.trace.reflections; };
 constexpr auto refractions = [](auto& d) -> auto& { return d.render.trace.refractions; };
+constexpr auto diffuse = [](auto& d) -> auto& { return d.render.trace.diffuse; };
+constexpr auto sampler = [](auto& d) -> auto& { return d.render.trace.sampler; };
 constexpr auto fresnel = [](auto& d) -> auto& { return d.render.trace.fresnel; };
 constexpr auto glassShadows = [](auto& d) -> auto& { return d.render.trace.glassShadows; };
 constexpr auto samples = [](auto& d) -> auto& { return d.render.stop.samples; };
@@ -102,17 +104,22 @@ constexpr auto seed = [](auto& d) -> auto& { return d.render.seed; };
 
 constexpr std::array kSettings = {
     entry<Choice<method, kMethodNames>>(
-        "method", "local (no shadows), cast (eye and shadow rays) or whitted (and mirrors and glass)"),
+        "method",
+        "local (no shadows), cast (eye and shadow rays), whitted (and mirrors and glass), distributed "
+        "(soft shadows, rough mirrors and glass) or path (and light from everywhere)"),
     entry<Integer<maxDepth, 0, kMaxDepth>>("max-depth", "deepest rays traced: 0 is eye rays alone, up to 64"),
     entry<Number<cutoff, 0, 1>>("cutoff", "rays that would contribute less than this are not traced: 0 to 1"),
     entry<Flag<shadows>>("shadows", "shadow rays: on or off"),
     entry<Flag<reflections>>("reflections", "reflection rays: on or off"),
     entry<Flag<refractions>>("refractions", "refraction rays: on or off"),
+    entry<Flag<diffuse>>("diffuse", "diffuse rays, of the method path: on or off"),
     entry<Choice<fresnel, kFresnelModeNames>>(
         "fresnel", "weights at glass: exact Fresnel equations, or constant kr and kt"),
     entry<Choice<glassShadows, kGlassShadowNames>>(
         "glass-shadows",
         "shadow rays at glass: opaque objects alone block, straight through with tint, or all block"),
+    entry<Choice<sampler, kSamplerNames>>(
+        "sampler", "random numbers of distributed and path: independent, stratified or sobol"),
     entry<Fov>("fov", "vertical field of view: 1 to 170 degrees"),
     entry<Aspect>("aspect", "width by height of the picture: free, 16:9, 1.5"),
     entry<Number<exposure, -20, 20>>("exposure", "EV: each step doubles the brightness shown, -20 to 20"),

@@ -19,7 +19,9 @@ std::string objectName(const Scene& scene, int object) {
     return object < 0 ? "the surface of a lamp" : nameOf(scene.objects, object, "object");
 }
 
-std::string lampName(const Scene& scene, int light) { return nameOf(scene.lights, light, "lamp"); }
+std::string lampName(const Scene& scene, int light) {
+    return light < 0 ? "the sky" : nameOf(scene.lights, light, "lamp");
+}
 
 std::string meeting(const Scene& scene, const RayRecord& ray) {
     switch (ray.end) {
@@ -50,6 +52,8 @@ std::string_view reasonText(UntracedRay::Reason reason) {
         return "below the cutoff";
     case UntracedRay::Reason::TreeLimit:
         return "tree too large";
+    case UntracedRay::Reason::Roulette:
+        return "ended by roulette";
     }
     return {};
 }

@@ -1,5 +1,7 @@
 #include "core/transport/emitters.h"
 
+#include <algorithm>
+
 namespace eyeray {
 namespace {
 
@@ -87,9 +89,13 @@ Emitters::Emitters(const World& world, const Camera& camera) : ofLight(world.sce
         ofLight[static_cast<std::size_t>(asPoint.sceneLight)] = static_cast<int>(all.size());
         all.push_back(emitterOf(asPoint, light, placementOf(light, world, camera)));
     }
-    if (world.scene->environment.black()) return;
-    sky = static_cast<int>(all.size());
-    all.push_back({.shape = SkyGradient(world.scene->environment), .light = {}, .findable = true});
+    if (!world.scene->environment.black()) {
+        sky = static_cast<int>(all.size());
+        all.push_back({.shape = SkyGradient(world.scene->environment), .light = {}, .findable = true});
+    }
+    findable = std::any_of(all.begin(), all.end(), [](const Emitter& e) { return e.findable; }) ||
+               std::any_of(world.materials.begin(), world.materials.end(),
+                           [](const WorldMaterial& m) { return !isBlack(m.physical.emission); });
 }
 
 }

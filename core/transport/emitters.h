@@ -39,6 +39,7 @@ struct Emitters {
     std::vector<Emitter> all;
     std::vector<int> ofLight; // by id in Scene::lights; −1: none
     int sky = -1;
+    bool findable = false; // a ray sent at random can come upon light: an emitter or an object that glows
 
     Emitters() = default;
     Emitters(const World&, const Camera&);

@@ -13,6 +13,10 @@ std::unique_ptr<Integrator> makeIntegrator(Method method) {
         return makeCast();
     case Method::Whitted:
         return makeWhitted();
+    case Method::Distributed:
+        return makeDistributed();
+    case Method::Path:
+        return makePath();
     }
     throw InternalError("makeIntegrator: no such method");
 }

@@ -34,7 +34,7 @@ struct RayRecord {
     Vec3 origin{0}, direction{0}; // relative to the World's origin; the direction is unit
     float t = kInfinity;          // of the hit, or to the lamp
     int object = -1;              // hit: id in Scene::objects, −1 for none or the surface of a lamp
-    int light = -1;               // of a shadow ray: id in Scene::lights
+    int light = -1;               // of a shadow ray: id in Scene::lights, −1 for the sky
     int medium = -1;              // it runs in: id in Scene::objects, −1 for none
     Color share{1};               // of its radiance that its parent's hit sends on: kr or kt at this angle
     Color weight{1};              // of its radiance that reaches the pixel
@@ -52,8 +52,8 @@ struct RayRecord {
 struct LampTerm {
     enum class State : std::uint8_t { Lit, FacesAway, OutOfReach } state = State::Lit; // others are black
     int ray = -1;                                                                      // at whose hit
-    int light = -1;                                                                    // id in Scene::lights
-    int shadowRay = -1;                                                                // −1: none was traced
+    int light = -1;                // id in Scene::lights, −1 for the sky
+    int shadowRay = -1;            // −1: none was traced
     Vec3 wi{0};                    // unit, towards the lamp
     Color diffuse{0}, specular{0}; // kd (n·l); ks (r·v)^n or ks (n·h)^n
     Color irradiance{0};           // over π, at normal incidence: the lectures' colour of a lamp
@@ -66,7 +66,8 @@ struct UntracedRay {
         SwitchedOff,
         DepthLimit,
         Cutoff,
-        TreeLimit
+        TreeLimit,
+        Roulette
     } reason = Reason::SwitchedOff;
     int parent = -1;
     RayKind kind = RayKind::Reflection;

@@ -5,12 +5,20 @@
 #include <cstdint>
 #include <string_view>
 
+#include "core/base/sampling.h"
+
 namespace eyeray {
 
 /// local: what a rasteriser knows (no shadows). cast: eye and shadow rays (Appel 1968). whitted: and mirrors
-/// and glass.
-enum class Method : std::uint8_t { Local, Cast, Whitted };
-inline constexpr std::array<std::string_view, 3> kMethodNames = {"local", "cast", "whitted"};
+/// and glass. distributed: soft shadows, rough mirrors and glass (Cook 1984). path: and light from everywhere
+/// (Kajiya 1986).
+enum class Method : std::uint8_t { Local, Cast, Whitted, Distributed, Path };
+inline constexpr std::array<std::string_view, 5> kMethodNames = {"local", "cast", "whitted", "distributed",
+                                                                 "path"};
+
+/// Methods that keep to physics: materials as PhysicalSurface, lamps with their extent, the sky as a lamp, no
+/// ambient light.
+constexpr bool isPhysical(Method method) { return method == Method::Distributed || method == Method::Path; }
 
 /// Weights at glass: exact Fresnel equations, or the material's kr and kt at every angle.
 enum class FresnelMode : std::uint8_t { Exact, Constant };
@@ -27,9 +35,10 @@ struct TraceSettings {
     Method method = Method::Whitted;
     int maxDepth = 5;      // the eye ray has depth 0; deeper rays count 0. 0 to kMaxDepth
     float cutoff = 0.002F; // rays of a smaller weight in every channel are not traced. 0 to 1
-    bool shadows = true, reflections = true, refractions = true;
+    bool shadows = true, reflections = true, refractions = true, diffuse = true;
     FresnelMode fresnel = FresnelMode::Exact;
     GlassShadows glassShadows = GlassShadows::Straight;
+    Sampler sampler = Sampler::Sobol; // of distributed and path, but for the place in the pixel
 
     friend bool operator==(const TraceSettings&, const TraceSettings&) = default;
 };

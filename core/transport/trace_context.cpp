@@ -29,6 +29,11 @@ MediumStack mediaAround(const World& world, const Vec3& point) {
 }
 
 TraceSettings withoutNeedless(TraceSettings settings, const SceneNeeds& needs) {
+    settings.diffuse &= settings.method == Method::Path;
+    if (isPhysical(settings.method)) { // whose sky is a lamp, and whose rough surfaces reflect
+        settings.refractions &= needs.refractions;
+        return settings;
+    }
     settings.shadows &= needs.shadows && settings.method != Method::Local;
     settings.reflections &= needs.reflections && settings.method == Method::Whitted;
     settings.refractions &= needs.refractions && settings.method == Method::Whitted;
@@ -57,6 +62,8 @@ TraceContext::TraceContext(std::shared_ptr<const World> traced, const Camera& ca
                            std::stop_token stop_)
     : world(std::move(traced)), settings(withoutNeedless(asked, world->needs)), width(w), height(h),
       seed(seed_), stop(std::move(stop_)), eyeRays(camera, world->origin, w, h),
-      lights(lightsFor(*world, camera)), eyeMedia(mediaAround(*world, Vec3(camera.eye - world->origin))) {}
+      lights(lightsFor(*world, camera)),
+      emitters(isPhysical(settings.method) ? Emitters(*world, camera) : Emitters()),
+      eyeMedia(mediaAround(*world, Vec3(camera.eye - world->origin))) {}
 
 }

@@ -9,6 +9,7 @@
 #include "core/base/sampling.h"
 #include "core/scene/camera.h"
 #include "core/scene/world.h"
+#include "core/transport/emitters.h"
 #include "core/transport/medium_stack.h"
 #include "core/transport/settings.h"
 
@@ -39,6 +40,7 @@ struct TraceContext {
     std::stop_token stop;
     EyeRays eyeRays;
     std::vector<WorldLight> lights;
+    Emitters emitters;    // of physical methods
     MediumStack eyeMedia; // what the eye is inside of
 };
 

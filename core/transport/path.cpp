@@ -1,0 +1,89 @@
+#include "core/transport/methods.h"
+#include "core/transport/physical_tree.h"
+#include "core/transport/tile_loop.h"
+
+namespace eyeray {
+namespace {
+
+constexpr int kRouletteDepth = 3;      // from which roulette may end a path
+constexpr float kMostSurvival = 0.95F; // or light could go round in a white room to no end
+
+/// One lobe of all is followed, and glass blocks shadow rays.
+struct PathRule {
+    static constexpr float kBeforeLamp = 1 - 1e-4F; // a lamp's own surface blocks nothing
+
+    static float density(const TraceSettings& settings, RayKind lobe, const BsdfValue& value) {
+        return traces(settings, lobe) ? value.pdfW * value.probability : 0;
+    }
+
+    template <Features F, class Index, class Recorder>
+    static void block(SampleState<Index, Recorder>& state, const PhysicalPoint& point,
+                      const PhysicalRay& from, const Emitter& emitter, const Ray& ray, float distance,
+                      LampTerm& term) {
+        const bool passes = glm::dot(point.p.geometricNormal, ray.direction) < 0;
+        const MediumStack& media = passes ? point.interface.beyond : from.tree.media;
+        term.visibility = detail::clearVisibility(state, ray, emitter, media, distance);
+    }
+};
+
+template <Features F, class Index, class Recorder>
+class PathTracer {
+public:
+    explicit PathTracer(SampleState<Index, Recorder>& state) : state_(state) {}
+
+    Color trace(const PhysicalRay& ray) {
+        return physicalRadiance<PathRule, F>(
+            state_, ray, [&](const PhysicalPoint& point, const Bsdf& bsdf, const Color& weight, int record) {
+                return onward(ray, point, bsdf, weight, record);
+            });
+    }
+
+private:
+    Color onward(const PhysicalRay& ray, const PhysicalPoint& point, const Bsdf& bsdf, const Color& weight,
+                 int record) {
+        const auto sample =
+            bsdf.pick(random(ray.key, SamplePurpose::Lobe).x, random(ray.key, SamplePurpose::Direction));
+        if (!sample || !(maxComponent(sample->weight) > 0)) return Color(0);
+        Color share = sample->weight / sample->probability;
+        auto reason = reasonNotToTrace(state_, ray, *sample);
+        // A chain of mirrors has no noise that roulette could trade for time.
+        if (!reason && (ray.scattered || !sample->delta) && ray.tree.depth + 1 >= kRouletteDepth) {
+            const float survival = std::min(maxComponent(weight * share), kMostSurvival);
+            if (random(ray.key, SamplePurpose::Roulette).x < survival)
+                share /= survival;
+            else
+                reason = UntracedRay::Reason::Roulette;
+        }
+        const Color left = weight * share;
+        if (reason) {
+            if constexpr (Recorder::kOn)
+                state_.recorder.record.untraced.push_back(
+                    {*reason, record, sample->kind, sample->wi, share, left});
+            return Color(0);
+        }
+        PhysicalRay next = nextRay(ray, point, *sample, share, left, record);
+        next.pdfW = sample->delta ? 0 : sample->pdfW * sample->probability;
+        next.forLamps = ray.tree.depth >= state_.context.settings.maxDepth;
+        return share * trace(next);
+    }
+
+    Vec2 random(std::uint32_t key, SamplePurpose purpose) const {
+        return sample2(state_.context.settings.sampler, state_.address, key, purpose);
+    }
+
+    SampleState<Index, Recorder>& state_;
+};
+
+struct Path {
+    template <Features F, class Index, class Recorder>
+    static Color radiance(SampleState<Index, Recorder>& state, const Ray& eyeRay) {
+        return PathTracer<F, Index, Recorder>(state).trace(
+            {.tree = {.ray = eyeRay, .media = state.context.eyeMedia}});
+    }
+};
+
+}
+
+std::unique_ptr<Integrator> makePath() { return std::make_unique<TiledIntegrator<Path>>(); }
+
+}
