@@ -95,12 +95,16 @@ TEST_F(Documents, EverySettingReadsBackWhatItWrites) {
         std::vector<const char*> good, bad;
     };
     const std::vector<Case> cases = {
-        {"method", {"local", "cast", "whitted"}, {"Whitted", "raster", ""}},
+        {"method", {"local", "cast", "whitted", "distributed", "path"}, {"Whitted", "raster", ""}},
         {"max-depth", {"0", "5", "64"}, {"-1", "65", "2.5", "nan", "deep"}},
         {"cutoff", {"0", "0.002", "1"}, {"-0.1", "1.1", "inf"}},
         {"shadows", {"on", "off"}, {"yes", "1", ""}},
         {"reflections", {"on", "off"}, {"true"}},
         {"refractions", {"on", "off"}, {"ON"}},
+        {"diffuse", {"on", "off"}, {"maybe"}},
+        {"sampler", {"independent", "stratified", "sobol"}, {"halton"}},
+        {"lens", {"0", "0.05", "2"}, {"-1", "wide"}},
+        {"focus", {"0", "3.5"}, {"-1", "inf"}},
         {"fresnel", {"exact", "constant"}, {"schlick"}},
         {"glass-shadows", {"opaque", "straight", "all"}, {"none"}},
         {"fov", {"1", "30.5", "45", "170"}, {"0", "171", "-45", "nan"}},

@@ -105,5 +105,42 @@ TEST(EyeRays, SilhouetteOfABallOffTheAxisIsAnEllipse) {
     EXPECT_NEAR((ball.right + ball.left) / 2 - 256, 105.949487, 0.25);
 }
 
+TEST(EyeRays, FromALensMeetWhereItIsInFocus) {
+    Camera camera;
+    camera.target = {0, 0, -5};
+    camera.lensRadius = 0.1;
+    const EyeRays rays(camera, DVec3(0), 64, 48);
+    const Ray through = rays.through(50, 7, {0.25F, 0.75F});
+    const Vec3 sharp = through.direction * (-5 / through.direction.z);
+    DVec3 sum(0);
+    double distances = 0;
+    constexpr int n = 64;
+    for (int i = 0; i < n * n; ++i) {
+        const Ray ray = rays.fromLens(through, (Vec2(i % n, i / n) + 0.5F) / static_cast<float>(n));
+        EXPECT_NEAR(glm::length(ray.direction), 1, 1e-6F);
+        EXPECT_LE(glm::length(ray.at((-5 - ray.origin.z) / ray.direction.z) - sharp), 1e-5F);
+        sum += DVec3(ray.origin);
+        distances += glm::length(ray.origin);
+    }
+    EXPECT_LT(glm::length(sum), 1e-3);
+    EXPECT_NEAR(distances / (n * n), 0.1 * 2 / 3, 1e-4) << "uniform over the disc";
+
+    camera.lensRadius = 0;
+    EXPECT_EQ(EyeRays(camera, DVec3(0), 64, 48).fromLens(through, Vec2(0.3F)).direction, through.direction);
+}
+
+TEST(EyeRays, BlurAPointOutOfFocusToItsCircleOfConfusion) {
+    Camera camera; // 512² at 45°: f = 618.04 pixels; lens 0.1, focus 5, point 10: a circle 12.360773 wide
+    camera.target = {0, 0, -1};
+    camera.lensRadius = 0.1;
+    camera.focusDistance = 5;
+    const EyeRays rays(camera, DVec3(0), 512, 512);
+    const float atRim = 256 + 12.360773F / 2;
+    const auto pixel = static_cast<int>(atRim);
+    const Ray through = rays.through(pixel, 256, {atRim - static_cast<float>(pixel), 0});
+    const Ray ray = rays.fromLens(through, {1, 0}); // from the rim on the right
+    EXPECT_LE(glm::length(ray.at((-10 - ray.origin.z) / ray.direction.z) - Vec3(0, 0, -10)), 2e-5F);
+}
+
 }
 }

@@ -6,6 +6,7 @@
 
 #include <random>
 
+#include "core/render/render_session.h"
 #include "core/study/ledger.h"
 #include "tests/scenes.h"
 
@@ -421,6 +422,24 @@ TEST(PhysicalMethods, RayKindSwitchedOffContributesNothingAndCountsNone) {
     const RayCounts counts = Tracing(showroom(), by(Method::Path, 4), 24, 18).tile(1).counts;
     for (const RayKind kind : {RayKind::Reflection, RayKind::Refraction, RayKind::Diffuse})
         EXPECT_GT(counts[kind], 0U);
+}
+
+ColorImage renderedBy(int threads, Method method) {
+    RenderSettings settings;
+    settings.width = 70;
+    settings.height = 50;
+    settings.trace = by(method, 4);
+    settings.stop = {.samples = 3};
+    RenderSession session(threads);
+    const auto scene = std::make_shared<const Scene>(showroom());
+    session.start(buildWorld(scene, {}), scene->cameras.front(), settings);
+    while (session.wait(std::chrono::seconds(1)).active()) {
+    }
+    return session.image();
+}
+
+TEST(PhysicalMethods, HaveTheSameBitsOnAnyNumberOfThreads) {
+    for (const Method method : kPhysical) EXPECT_EQ(renderedBy(1, method), renderedBy(8, method));
 }
 
 TEST(Distributed, PenumbraOfAStripHasTheVisibleShareOfTheLamp) {

@@ -123,5 +123,51 @@ TEST(PixelSample, LaterOnesAverageToTheCentreWithTheVarianceOfABox) {
     }
 }
 
+TEST(Samplers, StayInTheUnitSquareAndAreUniform) {
+    for (const Sampler sampler : {Sampler::Independent, Sampler::Stratified, Sampler::Sobol}) {
+        DVec2 sum(0), squares(0);
+        double products = 0;
+        constexpr int n = 100'000;
+        for (std::uint32_t i = 0; i < n; ++i) {
+            const Vec2 p = sample2(sampler, {3, i % 317, i / 317, i % 16}, i % 5, SamplePurpose::Lamp);
+            ASSERT_TRUE(p.x >= 0 && p.x < 1 && p.y >= 0 && p.y < 1) << i;
+            sum += DVec2(p);
+            squares += DVec2(p * p);
+            products += static_cast<double>(p.x) * p.y;
+        }
+        for (int axis = 0; axis < 2; ++axis) {
+            EXPECT_NEAR(sum[axis] / n, 0.5, 0.004);
+            EXPECT_NEAR(squares[axis] / n, 1.0 / 3, 0.004);
+        }
+        EXPECT_NEAR(products / n, 0.25, 0.004);
+    }
+}
+
+TEST(Samplers, StratifiedHasOneOfEachSixteenSamplesInEachCell) {
+    for (std::uint32_t x = 0; x < 50; ++x)
+        for (std::uint32_t round = 0; round < 3; ++round) {
+            std::array<int, 16> cells{};
+            for (std::uint32_t pass = 16 * round; pass < 16 * round + 16; ++pass) {
+                const Vec2 p = sample2(Sampler::Stratified, {0, x, 9, pass}, 1, SamplePurpose::Direction);
+                ++cells[static_cast<std::size_t>(p.x * 4) * 4 + static_cast<std::size_t>(p.y * 4)];
+            }
+            for (const int samples : cells) ASSERT_EQ(samples, 1) << x << " " << round;
+        }
+}
+
+TEST(Samplers, StratifiedTakesTheCellsInManyOrders) {
+    std::array<int, 16> firstCell{};
+    for (std::uint32_t x = 0; x < 1600; ++x) {
+        const Vec2 p = sample2(Sampler::Stratified, {0, x, 0, 0}, 1, SamplePurpose::Direction);
+        ++firstCell[static_cast<std::size_t>(p.x * 4) * 4 + static_cast<std::size_t>(p.y * 4)];
+    }
+    for (const int count : firstCell) EXPECT_NEAR(count, 100, 45);
+}
+
+TEST(Samplers, SobolIsTheSequenceOfThePixelFilter) {
+    const SampleAddress address{1, 2, 3, 77};
+    EXPECT_EQ(sample2(Sampler::Sobol, address, 0, SamplePurpose::PixelFilter), pixelSample(address));
+}
+
 }
 }

@@ -59,6 +59,8 @@ void addPicture(CLI::App& app, PictureOptions& options) {
     addSetting(app, options, "camera", "NAME|INDEX", "one of the scene's cameras", "camera");
     addSetting(app, options, "aspect", "A", "width by height: 16:9, 1.5");
     addSetting(app, options, "fov", "DEG", "vertical field of view");
+    addSetting(app, options, "lens", "R", "radius of the lens in metres; 0 is a pinhole");
+    addSetting(app, options, "focus", "D", "distance in metres that is sharp; 0 is the target's");
     addSetting(app, options, "method", "NAME", "local, cast, whitted, distributed or path");
     addSetting(app, options, "max-depth", "D", "deepest rays: 0 is eye rays alone, up to 64");
     addSetting(app, options, "cutoff", "C", "smallest contribution that is traced");

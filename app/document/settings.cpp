@@ -13,6 +13,7 @@ namespace {
 using namespace std::string_view_literals;
 
 constexpr double kMostSeconds = 1e6;
+constexpr double kLargestLens = 1e3, kFarthestFocus = 1e9; // metres
 
 // Each setting is a reference into a Document, with how to read it.
 template <auto Field>
@@ -93,6 +94,8 @@ constexpr auto diffuse = [](auto& d) -> auto& { return d.render.trace.diffuse; }
 constexpr auto sampler = [](auto& d) -> auto& { return d.render.trace.sampler; };
 constexpr auto fresnel = [](auto& d) -> auto& { return d.render.trace.fresnel; };
 constexpr auto glassShadows = [](auto& d) -> auto& { return d.render.trace.glassShadows; };
+constexpr auto lens = [](auto& d) -> auto& { return d.camera.lensRadius; };
+constexpr auto focus = [](auto& d) -> auto& { return d.camera.focusDistance; };
 constexpr auto samples = [](auto& d) -> auto& { return d.render.stop.samples; };
 constexpr auto seconds = [](auto& d) -> auto& { return d.render.stop.seconds; };
 constexpr auto error = [](auto& d) -> auto& { return d.render.stop.error; };
@@ -121,6 +124,9 @@ constexpr std::array kSettings = {
     entry<Choice<sampler, kSamplerNames>>(
         "sampler", "random numbers of distributed and path: independent, stratified or sobol"),
     entry<Fov>("fov", "vertical field of view: 1 to 170 degrees"),
+    entry<Number<lens, 0, kLargestLens>>(
+        "lens", "radius of the camera's lens in metres, of distributed and path; 0 is a pinhole"),
+    entry<Number<focus, 0, kFarthestFocus>>("focus", "distance in metres that is sharp; 0 is the target's"),
     entry<Aspect>("aspect", "width by height of the picture: free, 16:9, 1.5"),
     entry<Number<exposure, -20, 20>>("exposure", "EV: each step doubles the brightness shown, -20 to 20"),
     entry<Choice<toneMap, kToneMapNames>>(

@@ -32,6 +32,8 @@ constexpr std::array kActions = {
     Action{"Rays", "Method: local", "F6", "set method=local"},
     Action{"Rays", "Method: cast", "F7", "set method=cast"},
     Action{"Rays", "Method: Whitted", "F8", "set method=whitted"},
+    Action{"Rays", "Method: distributed", "F9", "set method=distributed"},
+    Action{"Rays", "Method: path", "F10", "set method=path"},
     Action{"Rays", "Rasterised by OpenGL, or traced", "G", "rasterised"},
     Action{"Rays", "Pause or go on", "Space", "pause"},
 

@@ -59,6 +59,10 @@ void sceneCameras(const Widgets& ui) {
 void cameraPanel(const Widgets& ui) {
     const Document& document = ui.viewer.document();
     ui.number("Field of view", "fov", 1, 170, "%.1f°");
+    if (isPhysical(document.render.trace.method)) {
+        ui.number("Lens radius", "lens", 0, 0.5F, "%.3f m");
+        ui.number("Focus distance", "focus", 0, 20, "%.2f m");
+    }
     aspectButtons(ui);
     const PictureSize size = ui.viewer.pictureSize();
     if (size.width > 0 && size.height > 0)

@@ -11,7 +11,14 @@ namespace {
 
 using namespace std::string_view_literals;
 
-constexpr std::array kMethodLabels = {"local (rasteriser)"sv, "cast (Appel 1968)"sv, "whitted (1980)"sv};
+constexpr std::array kMethodLabels = {"local (rasteriser)"sv, "cast (Appel 1968)"sv, "whitted (1980)"sv,
+                                      "distributed (Cook 1984)"sv, "path (Kajiya 1986)"sv};
+constexpr std::array kMethodLines = {
+    "local models alone: no shadow, mirror or glass", "and shadow rays; a lamp is one point",
+    "and mirrors and glass, all sharp; ambient stands for the other light",
+    "soft shadows, rough mirrors and glass; the sky is a lamp; no ambient. Noise fades with samples",
+    "and light from one matte surface to another: all light there is. Noise fades with samples"};
+constexpr std::array kSamplerLabels = {"independent"sv, "stratified 4 x 4"sv, "Sobol', scrambled"sv};
 constexpr std::array kFresnelLabels = {"exact equations"sv, "constant kr, kt"sv};
 constexpr std::array kGlassLabels = {"do not block"sv, "tint, straight through"sv, "block"sv};
 
@@ -52,25 +59,33 @@ void kindRow(const Widgets& ui, const KindRow& row, const RayCounts& counts) {
 void raysPanel(const Widgets& ui) {
     const TraceSettings& trace = ui.viewer.document().render.trace;
     ui.choice("Method", "method", kMethodNames, kMethodLabels);
+    dimmedText(kMethodLines[static_cast<std::size_t>(trace.method)]);
     const auto world = ui.viewer.world();
     const SceneNeeds needs = world ? world->needs : SceneNeeds{true, true, true, true, {}};
     const RayCounts counts = ui.viewer.status().counts;
-    const bool casts = trace.method != Method::Local, recurses = trace.method == Method::Whitted;
+    const bool physical = isPhysical(trace.method), path = trace.method == Method::Path;
+    const bool casts = trace.method != Method::Local, recurses = trace.method == Method::Whitted || physical;
     if (ImGui::BeginTable("rays", 2)) {
         kindRow(ui, {RayKind::Eye, "Eye rays", nullptr, true, true}, counts);
-        kindRow(ui, {RayKind::Shadow, "Shadow rays", "shadows", needs.shadows, casts}, counts);
-        kindRow(ui, {RayKind::Reflection, "Reflection rays", "reflections", needs.reflections, recurses},
-                counts);
+        kindRow(ui, {RayKind::Shadow, "Shadow rays", "shadows", needs.shadows || physical, casts}, counts);
+        const bool reflects = needs.reflections || physical;
+        kindRow(ui, {RayKind::Reflection, "Reflection rays", "reflections", reflects, recurses}, counts);
         kindRow(ui, {RayKind::Refraction, "Refraction rays", "refractions", needs.refractions, recurses},
                 counts);
+        kindRow(ui, {RayKind::Diffuse, "Diffuse rays", "diffuse", true, path}, counts);
         ImGui::EndTable();
     }
     ui.integer("Max depth", "max-depth", 0, kMaxDepth, true);
-    ui.number("Cutoff", "cutoff", 0, 0.5F, "%.4f", true);
-    ui.choice("At glass", "fresnel", kFresnelModeNames, kFresnelLabels);
-    ui.choice("Glass shadows", "glass-shadows", kGlassShadowNames, kGlassLabels);
+    if (path)
+        dimmedText("no cutoff: roulette ends faint paths from depth 3 on; glass blocks shadow rays");
+    else
+        ui.number("Cutoff", "cutoff", 0, 0.5F, "%.4f", true);
+    if (!physical) ui.choice("At glass", "fresnel", kFresnelModeNames, kFresnelLabels);
+    if (!path) ui.choice("Glass shadows", "glass-shadows", kGlassShadowNames, kGlassLabels);
+    if (physical) ui.choice("Sampler", "sampler", kSamplerNames, kSamplerLabels);
+    if (physical) return; // the reasons are those of the taught methods
     for (const std::string& reason : needs.reasons) dimmedText(reason);
-    if (!recurses) dimmedText("max depth, cutoff and weights at glass act in the method whitted");
+    if (!recurses) dimmedText("max depth, cutoff and weights at glass act from the method whitted on");
 }
 
 }

@@ -8,12 +8,15 @@
 
 namespace eyeray {
 
-/// Pinhole camera that looks from eye to target. `up` need not be orthogonal to the view.
+/// Camera that looks from eye to target, through a pinhole or a thin lens. `up` need not be orthogonal to the
+/// view.
 struct Camera {
     std::string name;
     DVec3 eye{0, 0, 0}, target{0, 0, -1}, up{0, 1, 0}; // metres, scene coordinates
     double verticalFov = radians(45);                  // full angle, radians
     double aspect = 0;                                 // width / height that its file asks for; 0: any
+    double lensRadius = 0;                             // metres; 0: a pinhole. Of distributed and path
+    double focusDistance = 0; // metres along the view to what is sharp; 0: to the target
 
     double distance() const { return glm::length(target - eye); }
     friend bool operator==(const Camera&, const Camera&) = default;

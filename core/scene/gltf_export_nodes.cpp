@@ -156,6 +156,9 @@ private:
             "cameras", {{"name", camera.name}, {"type", "perspective"}, {"perspective", perspective}});
         json node{{"camera", index}};
         if (distance > 0) node["extras"]["eyeray"]["distance"] = distance;
+        if (camera.lensRadius > 0)
+            node["extras"]["eyeray"]["lens"] = {{"radius", camera.lensRadius},
+                                                {"focus", camera.focusDistance}};
         place(std::move(node), camera.name,
               DMat4(DVec4(axes.right, 0), DVec4(axes.up, 0), DVec4(axes.backward, 0), DVec4(camera.eye, 1)));
     }

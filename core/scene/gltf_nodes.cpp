@@ -13,6 +13,7 @@ namespace {
 struct CameraNode {
     PlacedNode placed;
     std::optional<double> distance;
+    double lensRadius = 0, focusDistance = 0;
 };
 
 /// Rays are taken into the space of an object by the inverse of its transform, which must not lose numbers.
@@ -95,14 +96,21 @@ void importNodes(GltfImport& context, const std::vector<int>& shapes,
         importLights(context, placed, extras);
         std::optional<double> distance;
         if (extras.has("distance")) distance = extras.number("distance", 1, kPositive);
-        if (node.camera >= 0) cameras.push_back({placed, distance});
+        GltfFields lens = extras.child("lens");
+        if (node.camera >= 0)
+            cameras.push_back({placed, distance, lens.number("radius", 0, kNotNegative),
+                               lens.number("focus", 0, kNotNegative)});
+        lens.reportUnread();
         extras.reportUnread();
     }
 
     const SceneBounds bounds = boundsOf(context.scene);
-    for (const auto& [placed, distance] : cameras)
-        if (auto camera = importCamera(context, placed, distance, bounds))
+    for (const auto& [placed, distance, lensRadius, focusDistance] : cameras)
+        if (auto camera = importCamera(context, placed, distance, bounds)) {
+            camera->lensRadius = lensRadius;
+            camera->focusDistance = focusDistance;
             context.scene.cameras.push_back(*camera);
+        }
 }
 
 }

@@ -123,6 +123,8 @@ void check(const Camera& camera) {
     ENSURE(finite(camera.eye) && finite(camera.target) && finite(camera.up));
     ENSURE(camera.verticalFov > 0 && camera.verticalFov < kPiD);
     ENSURE(camera.aspect >= 0 && finite(camera.aspect));
+    ENSURE(camera.lensRadius >= 0 && finite(camera.lensRadius));
+    ENSURE(camera.focusDistance >= 0 && finite(camera.focusDistance));
 }
 
 }

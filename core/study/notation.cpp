@@ -36,6 +36,18 @@ const Symbols& symbolsOf(Notation notation) {
     return *kAll[static_cast<std::size_t>(notation)];
 }
 
+/// What the physical methods call otherwise: w weighs the shadow ray against the ray that may find the lamp,
+/// p is the density with which a ray was sent. Null for all else.
+const char* physicalSymbol(Term term, Notation notation) {
+    const bool glm = notation == Notation::Glm, words = notation == Notation::DeckB;
+    if (term == Term::Emission) return words ? "weight emission" : glm ? "w * emission" : "w Le";
+    if (term == Term::Diffuse) return words ? "diffuse" : glm ? "w * fd * dot(n, l)" : "w fd (l·n)";
+    if (term == Term::Specular) return words ? "glossy" : glm ? "w * fs * dot(n, l)" : "w fs (l·n)";
+    if (term == Term::Share) return words ? "f cos / pdf" : glm ? "f * dot(n, l) / p" : "f cos/p";
+    if (term == Term::Background) return words ? "weight background" : glm ? "w * sky" : "w background";
+    return nullptr;
+}
+
 bool isParenthesis(Term term) {
     return term == Term::Radiance || term == Term::Arriving || term == Term::Local || term == Term::Onward;
 }
@@ -85,6 +97,8 @@ void collect(const Ledger& ledger, int node, std::vector<LedgerLine>& lines) {
 std::string LedgerText::symbol(int node) const {
     const LedgerNode& n = ledger.at(node);
     const RayRecord& ray = record.rays[static_cast<std::size_t>(n.ray)];
+    const char* const physical = record.physical ? physicalSymbol(n.term, notation) : nullptr;
+    if (physical != nullptr) return physical;
     if (n.term == Term::Specular && usesHalfVector(scene, ray.hit.material)) {
         if (notation == Notation::DeckA) return "ks (n·h)^sh";
         if (notation == Notation::Glm) return "ks * pow(dot(n, h), sh)";

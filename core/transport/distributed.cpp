@@ -73,8 +73,7 @@ private:
 struct Distributed {
     template <Features F, class Index, class Recorder>
     static Color radiance(SampleState<Index, Recorder>& state, const Ray& eyeRay) {
-        return DistributedTree<F, Index, Recorder>(state).trace(
-            {.tree = {.ray = eyeRay, .media = state.context.eyeMedia}});
+        return DistributedTree<F, Index, Recorder>(state).trace(firstRay(state, eyeRay));
     }
 };
 

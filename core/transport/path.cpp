@@ -77,8 +77,7 @@ private:
 struct Path {
     template <Features F, class Index, class Recorder>
     static Color radiance(SampleState<Index, Recorder>& state, const Ray& eyeRay) {
-        return PathTracer<F, Index, Recorder>(state).trace(
-            {.tree = {.ray = eyeRay, .media = state.context.eyeMedia}});
+        return PathTracer<F, Index, Recorder>(state).trace(firstRay(state, eyeRay));
     }
 };
 

@@ -7,6 +7,14 @@
 
 namespace eyeray {
 
+/// The ray that begins a sample, from a place on the camera's lens.
+template <class Index, class Recorder>
+PhysicalRay firstRay(const SampleState<Index, Recorder>& state, const Ray& eyeRay) {
+    const TraceContext& context = state.context;
+    const Vec2 onLens = sample2(context.settings.sampler, state.address, 0, SamplePurpose::Lens);
+    return {.tree = {.ray = context.eyeRays.fromLens(eyeRay, onLens), .media = context.eyeMedia}};
+}
+
 /// Whether a lobe's rays are traced at all.
 inline bool traces(const TraceSettings& settings, RayKind lobe) {
     if (lobe == RayKind::Diffuse) return settings.diffuse;
@@ -27,7 +35,10 @@ Color physicalRadiance(SampleState<Index, Recorder>& state, const PhysicalRay& r
     if constexpr (F.transparent)
         transmitted = transmittanceIn(world, ray.tree.media, hit ? hit->t : kInfinity);
     const int record = [&] {
-        if constexpr (Recorder::kOn) return state.recorder.add(recordOf(world, ray.tree, hit, transmitted));
+        if constexpr (Recorder::kOn) {
+            state.recorder.record.physical = true;
+            return state.recorder.add(recordOf(world, ray.tree, hit, transmitted));
+        }
         return -1;
     }();
     Color radiance;

@@ -80,6 +80,7 @@ struct SampleRecord {
     std::vector<RayRecord> rays; // the eye ray first; none if nothing was traced
     std::vector<LampTerm> lamps; // in order of shading
     std::vector<UntracedRay> untraced;
+    bool physical = false; // of a method whose lamp terms and shares are f cos, weighed, and f cos / pdf
 };
 
 struct NoRecorder {
@@ -99,6 +100,7 @@ struct TreeRecorder {
         record.rays.clear();
         record.lamps.clear();
         record.untraced.clear();
+        record.physical = false;
     }
     RayRecord& at(int ray) { return record.rays[static_cast<std::size_t>(ray)]; }
 };

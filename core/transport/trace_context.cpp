@@ -49,12 +49,23 @@ EyeRays::EyeRays(const Camera& camera, const DVec3& origin, int width, int heigh
     right_ = Vec3(axes.right * half.x);
     up_ = Vec3(axes.up * half.y);
     forward_ = Vec3(-axes.backward);
+    lensRight_ = Vec3(axes.right * camera.lensRadius);
+    lensUp_ = Vec3(axes.up * camera.lensRadius);
+    focusDistance_ = static_cast<float>(camera.focusDistance > 0 ? camera.focusDistance : camera.distance());
 }
 
 Ray EyeRays::through(int x, int y, const Vec2& inPixel) const {
     const float right = (2 * (static_cast<float>(x) + inPixel.x) - width_) / width_;
     const float up = (height_ - 2 * (static_cast<float>(y) + inPixel.y)) / height_;
     return {eye_, glm::normalize(forward_ + right * right_ + up * up_)};
+}
+
+Ray EyeRays::fromLens(const Ray& through, const Vec2& u) const {
+    if (lensRight_ == Vec3(0)) return through;
+    const float radius = std::sqrt(u.x), angle = 2 * kPi * u.y;
+    const Vec3 place = radius * (std::cos(angle) * lensRight_ + std::sin(angle) * lensUp_);
+    const Vec3 sharp = through.direction * (focusDistance_ / glm::dot(through.direction, forward_));
+    return {eye_ + place, glm::normalize(sharp - place)};
 }
 
 TraceContext::TraceContext(std::shared_ptr<const World> traced, const Camera& camera,

@@ -15,7 +15,7 @@
 
 namespace eyeray {
 
-/// Rays of a pinhole camera, relative to the World's origin.
+/// Rays of a camera, relative to the World's origin.
 class EyeRays {
 public:
     EyeRays(const Camera&, const DVec3& origin, int width, int height);
@@ -24,9 +24,16 @@ public:
     /// a·tan(fov/2)·(2i + 1 − w)/w, exactly antisymmetric about the middle of the picture.
     Ray through(int x, int y, const Vec2& inPixel) const;
 
+    /// The same ray from the place on the lens that u in [0, 1)² says, uniformly over its disc: all meet at
+    /// the distance that is in focus. Without a lens the ray itself. Potmesil, Chakravarty 1982, "Synthetic
+    /// Image Generation with a Lens and Aperture Camera Model"; Cook et al. 1984.
+    Ray fromLens(const Ray& through, const Vec2& u) const;
+
 private:
     Vec3 eye_, right_, up_, forward_;
     float width_, height_;
+    Vec3 lensRight_, lensUp_;
+    float focusDistance_;
 };
 
 struct TraceContext {
