@@ -31,6 +31,29 @@ TEST(Metrics, RmseIsTheRootOfTheMeanSquareOverChannels) {
     EXPECT_TRUE(std::isnan(rmse(a, b)));
 }
 
+TEST(Metrics, RelativeErrorIsAShareOfTheReference) {
+    const ColorImage reference(2, 1, Color(1));
+    ColorImage test = reference;
+    test.at(1, 0) = Color(1, 2, 1); // one of six channels: 1 / 1.01
+    EXPECT_NEAR(relativeMse(reference, test), 1 / 1.01 / 6, 1e-12);
+    EXPECT_NEAR(relativeMse(test, reference), 1 / 4.01 / 6, 1e-12);
+    EXPECT_EQ(relativeMse({}, {}), 0);
+}
+
+TEST(Metrics, LargestAndNinetyFifthOfTheDifferences) {
+    ColorImage a(10, 10, Color(0.5F)), b = a;
+    b.at(3, 3) = Color(0.5F, 0.5F, 2.5F);
+    for (int i = 0; i < 6; ++i) b.at(i, 9) = Color(0.25F); // 18 of 300 channels, with the one: 6.3 %
+    EXPECT_EQ(maxDifference(a, b), 2);
+    EXPECT_EQ(percentile95(a, b), 0.25);
+    b.at(5, 9) = b.at(4, 9) = Color(0.5F);
+    EXPECT_EQ(percentile95(a, b), 0);
+    a.at(0, 0) = b.at(0, 0) = Color(kInfinity);
+    EXPECT_EQ(maxDifference(a, b), 2) << "the same infinity is no difference";
+    a.at(0, 0).x = std::numeric_limits<float>::quiet_NaN();
+    EXPECT_TRUE(std::isnan(maxDifference(a, b)));
+}
+
 TEST(Metrics, BytesAreComparedInEveryChannel) {
     const ByteImage black(4, 1, {0, 0, 0, 0});
     ByteImage other = black;

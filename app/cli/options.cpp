@@ -134,7 +134,8 @@ std::variant<Options, int> parseCommandLine(int argc, const char* const* argv) {
     InspectOptions inspect;
     HitsOptions hits;
     BenchOptions bench;
-    std::string size, play, stats, layer, widgets, pixel, inspected, accel;
+    CompareOptions compare;
+    std::string size, play, stats, layer, widgets, pixel, inspected, accel, difference;
 
     CLI::App* viewing = app.add_subcommand("view", "open the viewer");
     addScene(*viewing, view.picture, false);
@@ -217,6 +218,13 @@ std::variant<Options, int> parseCommandLine(int argc, const char* const* argv) {
         ->check(CLI::IsMember({"brute", "bvh2", "bvh8"}))
         ->type_name("NAME");
 
+    CLI::App* comparing = app.add_subcommand("compare", "the difference between two pictures of one size");
+    comparing->add_option("a", compare.reference, "the picture that is right")->required()->type_name("A");
+    comparing->add_option("b", compare.test, "the picture to be judged")->required()->type_name("B");
+    comparing->add_option("-o,--output", difference, "draw the difference that is seen, in false colours")
+        ->type_name("DIFF.png");
+    comparing->add_flag("--json", compare.json, "the figures as one JSON object");
+
     const CLI::App* listing = app.add_subcommand("scenes", "list the built-in scenes");
 
     // `eyeray SCENE` is `eyeray view SCENE`
@@ -241,6 +249,7 @@ std::variant<Options, int> parseCommandLine(int argc, const char* const* argv) {
     if (!size.empty()) setWindowSize(snapshot, size);
     if (!pixel.empty()) inspect.pixel = pixelFrom(pixel);
     if (!inspected.empty()) inspect.output = inspected;
+    if (!difference.empty()) compare.output = difference;
     if (!accel.empty())
         bench.accel = static_cast<AccelKind>(std::ranges::find(kAccelNames, accel) - kAccelNames.begin());
     if (rendering->parsed()) return Options(render);
@@ -248,6 +257,7 @@ std::variant<Options, int> parseCommandLine(int argc, const char* const* argv) {
     if (inspecting->parsed()) return Options(inspect);
     if (hitting->parsed()) return Options(hits);
     if (timing->parsed()) return Options(bench);
+    if (comparing->parsed()) return Options(compare);
     if (listing->parsed()) return Options(ScenesOptions{});
     if (view.picture.scene.empty()) view.picture.scene = kDefaultScene;
     return Options(view);

@@ -67,10 +67,16 @@ struct BenchOptions {
     bool json = false;
 };
 
+struct CompareOptions {
+    std::filesystem::path reference, test;
+    std::optional<std::filesystem::path> output; // of the difference picture
+    bool json = false;
+};
+
 struct ScenesOptions {};
 
 using Options = std::variant<ViewOptions, RenderOptions, SnapshotOptions, InspectOptions, HitsOptions,
-                             BenchOptions, ScenesOptions>;
+                             BenchOptions, CompareOptions, ScenesOptions>;
 
 /// What main does next: options to carry out, or an exit code after help or version have been printed.
 /// Throws InputError for a wrong command line.

@@ -19,6 +19,9 @@ void checkPictureSize(long long width, long long height, const std::string& wher
 DecodedImage decodePng(std::span<const std::byte> bytes, const std::string& where);
 DecodedImage decodeJpeg(std::span<const std::byte> bytes, const std::string& where);
 
+/// R, G and B of an EXR, through OpenEXR; what it throws becomes InputError.
+ColorImage decodeExr(std::span<const std::byte> bytes, const std::string& where);
+
 /// W3C, "Portable Network Graphics (PNG) Specification (Second Edition)", 2003; through libpng.
 std::vector<std::byte> encodePng(const ByteImage& image, const Metadata& metadata);
 

@@ -11,6 +11,17 @@ namespace eyeray {
 /// channel is.
 double rmse(const ColorImage& a, const ColorImage& b);
 
+/// Mean over all channels of (test − reference)² / (reference² + 0.01): errors as shares of what is there. F.
+/// Rousselle, C. Knaus, M. Zwicker 2011, "Adaptive Sampling and Reconstruction using Greedy Error
+/// Minimization".
+double relativeMse(const ColorImage& reference, const ColorImage& test);
+
+/// Largest difference of any channel of any pixel; NaN if any channel is.
+double maxDifference(const ColorImage& a, const ColorImage& b);
+
+/// Difference that 95 of 100 channels stay below; NaN if any channel is.
+double percentile95(const ColorImage& a, const ColorImage& b);
+
 /// Largest difference of any channel of any pixel, alpha included: 0 … 255.
 int maxByteDifference(const ByteImage& a, const ByteImage& b);
 
