@@ -10,16 +10,17 @@
 namespace eyeray {
 namespace {
 
-constexpr int kCosines = 32, kRoughnesses = 20, kIors = 13, kSamples = 10;
+constexpr std::size_t kCosines = 32, kRoughnesses = 20, kIors = 13;
+constexpr int kSamples = 10;          // each way, of the visible normals
 constexpr float kLargestRoot = 0.45F; // (η − 1)/(η + 1) at the last node; then η = 1.5 lies on a node, too
 
 /// A place between two nodes of an axis.
 struct Between {
-    int node;
+    std::size_t node;
     float part;
-    Between(float x, int nodes) {
+    Between(float x, std::size_t nodes) {
         const float at = std::clamp(x, 0.0F, 1.0F) * static_cast<float>(nodes - 1);
-        node = std::min(static_cast<int>(at), nodes - 2);
+        node = std::min(static_cast<std::size_t>(at), nodes - 2);
         part = at - static_cast<float>(node);
     }
 };
@@ -49,14 +50,14 @@ CoatAlbedo integrated(float cosine, float roughness, float ior) {
 class Table {
 public:
     Table() : directional_(kIors * kRoughnesses * kCosines), mean_(kIors * kRoughnesses) {
-        for (int i = 0; i < kIors; ++i)
-            for (int r = 0; r < kRoughnesses; ++r) fill(i, r);
+        for (std::size_t i = 0; i < kIors; ++i)
+            for (std::size_t r = 0; r < kRoughnesses; ++r) fill(i, r);
     }
 
     CoatAlbedo directional(float cosine, float roughness, float ior) const {
         const Between c(std::sqrt(std::max(0.0F, cosine)), kCosines);
         return across(roughness, ior, [&](std::size_t row) {
-            const auto first = row * kCosines + static_cast<std::size_t>(c.node);
+            const std::size_t first = row * kCosines + c.node;
             return mixed(directional_[first], directional_[first + 1], c.part);
         });
     }
@@ -65,14 +66,14 @@ public:
     }
 
 private:
-    void fill(int i, int r) {
+    void fill(std::size_t i, std::size_t r) {
         const float x = static_cast<float>(i) / (kIors - 1), root = kLargestRoot * x * x;
         const float roughness = static_cast<float>(r) / (kRoughnesses - 1);
-        const auto row = static_cast<std::size_t>(i * kRoughnesses + r);
+        const std::size_t row = i * kRoughnesses + r;
         CoatAlbedo* const nodes = &directional_[row * kCosines];
         CoatAlbedo sum{0, 0};
         float weights = 0;
-        for (int c = 0; c < kCosines; ++c) {
+        for (std::size_t c = 0; c < kCosines; ++c) {
             const float s = static_cast<float>(c) / (kCosines - 1);
             nodes[c] = integrated(std::max(s * s, 1e-4F), roughness, (1 + root) / (1 - root));
             const float weight = s * s * s * (c + 1 < kCosines ? 1.0F : 0.5F); // μ dμ with μ = s²
@@ -87,8 +88,8 @@ private:
     static CoatAlbedo across(float roughness, float ior, const ValueOf& valueOf) {
         const Between i(std::sqrt(std::fabs(ior - 1) / (ior + 1) / kLargestRoot), kIors);
         const Between r(roughness, kRoughnesses);
-        const auto of = [&](int row) {
-            const auto first = static_cast<std::size_t>(row * kRoughnesses + r.node);
+        const auto of = [&](std::size_t row) {
+            const std::size_t first = row * kRoughnesses + r.node;
             return mixed(valueOf(first), valueOf(first + 1), r.part);
         };
         return mixed(of(i.node), of(i.node + 1), i.part);
