@@ -63,7 +63,7 @@ ColorImage decodeExr(std::span<const std::byte> bytes, const std::string& where)
     } catch (const InputError&) {
         throw;
     } catch (const std::exception& error) { // OpenEXR throws kinds of its own
-        std::string what = error.what();
+        const std::string what = error.what();
         throw InputError{where, "cannot be read: " + what.substr(0, what.find('\n')), "write it again"};
     }
 }

@@ -71,10 +71,12 @@ Plane filtered(const Plane& plane, const Kernel& across, const Kernel& down) {
         for (int y = 0; y < from.height(); ++y)
             for (int x = 0; x < from.width(); ++x) {
                 float sum = 0;
-                for (int i = -radius; i <= radius; ++i)
-                    sum += kernel[static_cast<std::size_t>(i + radius)] *
-                           from.at(std::clamp(x + i * dx, 0, from.width() - 1),
-                                   std::clamp(y + i * dy, 0, from.height() - 1));
+                int i = -radius;
+                for (const float weight : kernel) {
+                    sum += weight * from.at(std::clamp(x + i * dx, 0, from.width() - 1),
+                                            std::clamp(y + i * dy, 0, from.height() - 1));
+                    ++i;
+                }
                 to.at(x, y) = sum;
             }
         return to;
@@ -96,12 +98,12 @@ Plane seenBySensitivity(const Plane& plane, const std::vector<Sensitivity>& term
         static_cast<int>(std::ceil(3 * std::sqrt(kWidestB / (2 * kPiD * kPiD)) * pixelsPerDegree));
     Plane sum(plane.width(), plane.height());
     double weight = 0;
-    for (const auto& [a, b] : terms) {
-        const Kernel kernel = kernelOf(radius, [&, b = b](int i) {
+    for (const Sensitivity& s : terms) {
+        const Kernel kernel = kernelOf(radius, [&](int i) {
             const double degrees = i / pixelsPerDegree;
-            return std::exp(-kPiD * kPiD * degrees * degrees / b);
+            return std::exp(-kPiD * kPiD * degrees * degrees / s.b);
         });
-        const double factor = a * std::sqrt(kPiD / b);
+        const double factor = s.a * std::sqrt(kPiD / s.b);
         weight += factor * sumOf(kernel) * sumOf(kernel);
         const Plane term = filtered(plane, kernel, kernel);
         for (std::size_t i = 0; i < sum.values().size(); ++i)
