@@ -55,6 +55,12 @@ TEST(Playback, HasOnRecordWhatTheRaysSoFarHaveFound) {
     EXPECT_TRUE(firstRays({}, 3).rays.empty());
 }
 
+TEST(Playback, MarksTheLineThatSendsADiffuseRay) {
+    const RayRecord diffuse{.kind = RayKind::Diffuse, .end = RayEnd::Hit};
+    const std::size_t caller = linesOf(Method::Path, diffuse).front();
+    EXPECT_NE(pseudoCode(Method::Path)[caller].find("random ray of that kind"), std::string::npos);
+}
+
 TEST(Playback, MarksTheLinesThatTraceARay) {
     const SampleRecord record = sample();
     const auto code = pseudoCode(Method::Whitted);
@@ -70,7 +76,8 @@ TEST(Playback, MarksTheLinesThatTraceARay) {
     EXPECT_NE(text(3).find("add the lamp"), std::string::npos);
     EXPECT_NE(text(4).find("kt"), std::string::npos);
     EXPECT_NE(text(4).find("background"), std::string::npos);
-    for (const Method method : {Method::Local, Method::Cast, Method::Whitted})
+    for (const Method method :
+         {Method::Local, Method::Cast, Method::Whitted, Method::Distributed, Method::Path})
         for (const RayRecord& one : record.rays)
             for (const std::size_t line : linesOf(method, one)) EXPECT_LT(line, pseudoCode(method).size());
 }

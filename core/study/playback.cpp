@@ -25,11 +25,60 @@ constexpr std::array<std::string_view, 10> kRecursive = {
     "    if it transmits and depth < max: add kt · trace(refracted ray, depth + 1)",
     "    return what the medium on the way leaves of colour"};
 
+constexpr std::array<std::string_view, 10> kDistributed = {
+    "for each pixel: colour = trace(ray from the lens through it, depth 0)",
+    "trace(ray, depth):",
+    "    find the closest hit of the ray",
+    "    if there is none: return w · sky",
+    "    colour = w · emission",
+    "    for each lamp and the sky: cast a shadow ray to a random place on it",
+    "        if nothing blocks it: add w · f cos · its light / p",
+    "    if it mirrors: add f cos / p · trace(random ray about the mirrored one, depth + 1)",
+    "    if it transmits: add f cos / p · trace(random ray about the refracted one, depth + 1)",
+    "    return what the medium on the way leaves of colour"};
+
+constexpr std::array<std::string_view, 10> kPath = {
+    "for each pixel: colour = trace(ray from the lens through it, depth 0)",
+    "trace(ray, depth):",
+    "    find the closest hit of the ray",
+    "    if there is none: return w · sky",
+    "    colour = w · emission",
+    "    for each lamp and the sky: cast a shadow ray to a random place on it",
+    "        if nothing blocks it: add w · f cos · its light / p",
+    "    draw one of mirror image, glass and diffuse; from depth 3 on, perhaps stop",
+    "    add f cos / p · trace(random ray of that kind, depth + 1)",
+    "    return what the medium on the way leaves of colour"};
+
 /// Line numbers in one of the listings.
 struct Lines {
-    std::size_t eye, closest, background, shadow, lit, reflection, refraction;
+    std::size_t eye, closest, background, shadow, lit, reflection, refraction, diffuse;
 };
-constexpr Lines kCastingLines{0, 1, 2, 4, 5, 0, 0}, kRecursiveLines{0, 2, 3, 5, 6, 7, 8};
+
+struct Listing {
+    std::span<const std::string_view> code;
+    Lines lines;
+};
+
+Listing listingOf(Method method) {
+    switch (method) {
+    case Method::Whitted:
+        return {kRecursive, {0, 2, 3, 5, 6, 7, 8, 0}};
+    case Method::Distributed:
+        return {kDistributed, {0, 2, 3, 5, 6, 7, 8, 0}};
+    case Method::Path:
+        return {kPath, {0, 2, 3, 5, 6, 8, 8, 8}};
+    case Method::Local:
+    case Method::Cast:
+        break;
+    }
+    return {kCasting, {0, 1, 2, 4, 5, 0, 0, 0}};
+}
+
+std::size_t callerOf(RayKind kind, const Lines& lines) {
+    if (kind == RayKind::Reflection) return lines.reflection;
+    if (kind == RayKind::Refraction) return lines.refraction;
+    return kind == RayKind::Diffuse ? lines.diffuse : lines.eye;
+}
 
 bool stopsAt(const RayRecord& ray, PlayTo to) {
     if (to == PlayTo::Hit) return ray.end == RayEnd::Hit;
@@ -63,23 +112,18 @@ SampleRecord firstRays(const SampleRecord& record, int traced) {
                          [&](const LampTerm& lamp) { return lamp.ray < last && lamp.shadowRay < last; });
     std::ranges::copy_if(record.untraced, std::back_inserter(result.untraced),
                          [&](const UntracedRay& ray) { return ray.parent < last; });
+    result.physical = record.physical;
     return result;
 }
 
-std::span<const std::string_view> pseudoCode(Method method) {
-    if (method == Method::Whitted) return kRecursive;
-    return kCasting;
-}
+std::span<const std::string_view> pseudoCode(Method method) { return listingOf(method).code; }
 
 std::vector<std::size_t> linesOf(Method method, const RayRecord& ray) {
-    const Lines& lines = method == Method::Whitted ? kRecursiveLines : kCastingLines;
+    const Lines lines = listingOf(method).lines;
     if (ray.kind == RayKind::Shadow)
         return ray.end == RayEnd::Unblocked ? std::vector{lines.shadow, lines.lit}
                                             : std::vector{lines.shadow};
-    const std::size_t caller = ray.kind == RayKind::Reflection   ? lines.reflection
-                               : ray.kind == RayKind::Refraction ? lines.refraction
-                                                                 : lines.eye;
-    return {caller, ray.end == RayEnd::Hit ? lines.closest : lines.background};
+    return {callerOf(ray.kind, lines), ray.end == RayEnd::Hit ? lines.closest : lines.background};
 }
 
 }

@@ -25,8 +25,8 @@ bool stopsIn(const SampleRecord&, PlayTo);
 /// What was on record when so many rays had been traced.
 SampleRecord firstRays(const SampleRecord&, int traced);
 
-/// The method as a few lines of pseudo-code: ray casting (Appel 1968) or recursive ray tracing (Whitted
-/// 1980).
+/// The method as a few lines of pseudo-code: ray casting (Appel 1968), recursive (Whitted 1980) or
+/// distributed ray tracing (Cook 1984), or path tracing (Kajiya 1986).
 std::span<const std::string_view> pseudoCode(Method);
 
 /// Which of its lines trace this ray and deal with what it meets, in order.
