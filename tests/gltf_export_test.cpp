@@ -201,10 +201,10 @@ TEST(GltfExport, KeepsLamps) {
 
 TEST(GltfExport, KeepsCameras) {
     Scene scene = plain();
-    scene.cameras = {{"level", {1, 2, 3}, {4, 2.5, -6}, {0, 1, 0}, 0.7, 1.5},
-                     {"rolled", {1, 2, 3}, {4, 2.5, -6}, {1, 1, 0}, 1.2, 0},
-                     {"from above", {0, 5, 0}, {0, 0, 0}, {0, 1, 0}, 0.3, 0},
-                     {"from below", {0, -5, 0}, {0, 0, 0}, {1, 0, 0}, 0.3, 0}};
+    scene.cameras = {{"level", {1, 2, 3}, {4, 2.5, -6}, {0, 1, 0}, 0.7, 1.5, 0.05, 3.5},
+                     {"rolled", {1, 2, 3}, {4, 2.5, -6}, {1, 1, 0}, 1.2, 0, 0.1, 0},
+                     {"from above", {0, 5, 0}, {0, 0, 0}, {0, 1, 0}, 0.3, 0, 0, 0},
+                     {"from below", {0, -5, 0}, {0, 0, 0}, {1, 0, 0}, 0.3, 0, 0, 0}};
     expectSame(scene, reread(scene));
 }
 

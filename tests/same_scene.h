@@ -155,6 +155,8 @@ inline void expectSame(const Camera& a, const Camera& b) {
     expectSame(a.target, b.target);
     expectSame(axesOf(a).right, axesOf(b).right);
     expectSame(axesOf(a).up, axesOf(b).up);
+    EXPECT_DOUBLE_EQ(a.lensRadius, b.lensRadius);
+    EXPECT_DOUBLE_EQ(a.focusDistance, b.focusDistance);
 }
 
 /// Two scenes that show the same and can be edited in the same way.

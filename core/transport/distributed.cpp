@@ -8,8 +8,6 @@ namespace {
 /// Mirror image and glass are both followed, diffuse light is not; glass does to shadow rays what is asked
 /// for.
 struct DistributedRule {
-    static constexpr float kBeforeLamp = 1 - 1e-4F; // a lamp's own surface blocks nothing
-
     static float density(const TraceSettings& settings, RayKind lobe, const BsdfValue& value) {
         return lobe != RayKind::Diffuse && traces(settings, lobe) ? value.pdfW : 0;
     }
@@ -20,8 +18,7 @@ struct DistributedRule {
     static void block(SampleState<Index, Recorder>& state, const PhysicalPoint& point,
                       const PhysicalRay& from, const Emitter& emitter, const Ray& ray, float distance,
                       LampTerm& term) {
-        const bool passes = glm::dot(point.p.geometricNormal, ray.direction) < 0;
-        const MediumStack& media = passes ? point.interface.beyond : from.tree.media;
+        const MediumStack& media = point.mediaTowards(ray.direction, from.tree.media);
         term.visibility = detail::clearVisibility(state, ray, emitter, media, distance);
         if (!F.transparent || !isBlack(term.visibility)) return;
         term.specular = Color(0);

@@ -10,8 +10,6 @@ constexpr float kMostSurvival = 0.95F; // or light could go round in a white roo
 
 /// One lobe of all is followed, and glass blocks shadow rays.
 struct PathRule {
-    static constexpr float kBeforeLamp = 1 - 1e-4F; // a lamp's own surface blocks nothing
-
     static float density(const TraceSettings& settings, RayKind lobe, const BsdfValue& value) {
         return traces(settings, lobe) ? value.pdfW * value.probability : 0;
     }
@@ -20,8 +18,7 @@ struct PathRule {
     static void block(SampleState<Index, Recorder>& state, const PhysicalPoint& point,
                       const PhysicalRay& from, const Emitter& emitter, const Ray& ray, float distance,
                       LampTerm& term) {
-        const bool passes = glm::dot(point.p.geometricNormal, ray.direction) < 0;
-        const MediumStack& media = passes ? point.interface.beyond : from.tree.media;
+        const MediumStack& media = point.mediaTowards(ray.direction, from.tree.media);
         term.visibility = detail::clearVisibility(state, ray, emitter, media, distance);
     }
 };

@@ -13,22 +13,24 @@ inline float powerHeuristic(float own, float other) {
     return 1 / (1 + ratio * ratio);
 }
 
-/// How far a ray that has come upon light, at an object of the World or in the sky, counts: what shadow rays
-/// have brought already is left out. `light` is the id of its lamp in Scene::lights, −1 for none.
+/// How much light counts that a ray has come upon: what shadow rays have brought already is left out. Here of
+/// light of an emitter.
 inline float weightOfFoundLamp(const TraceContext& context, const PhysicalRay& ray, const Emitter& emitter) {
     if (!(ray.pdfW > 0)) return 1; // no shadow ray is weighed against a mirror
     if (!context.settings.shadows || !emitter.findable) return 0;
     return powerHeuristic(ray.pdfW, emitterPdfW(emitter, ray.tree.ray.origin, ray.tree.ray.direction));
 }
 
+/// Of a surface that glows: a lamp's, or an object's, to which no shadow ray goes.
 inline float weightOfFoundSurface(const TraceContext& context, const PhysicalRay& ray,
                                   const WorldObject& object) {
     const int emitter =
         object.sceneLight >= 0 ? context.emitters.ofLight[static_cast<std::size_t>(object.sceneLight)] : -1;
-    if (emitter < 0) return 1; // an object that glows: no shadow ray goes there
+    if (emitter < 0) return 1;
     return weightOfFoundLamp(context, ray, context.emitters.all[static_cast<std::size_t>(emitter)]);
 }
 
+/// Of the sky.
 inline float weightOfFoundSky(const TraceContext& context, const PhysicalRay& ray) {
     if (context.emitters.sky < 0) return 1;
     return weightOfFoundLamp(context, ray,
@@ -51,12 +53,16 @@ LocalTerms weighedLobes(const TraceSettings& settings, const Bsdf& bsdf, const P
             .specular = term(RayKind::Reflection) + term(RayKind::Refraction)};
 }
 
+inline bool isPoint(const Emitter& emitter) { return std::holds_alternative<std::monostate>(emitter.shape); }
+
+/// How much of the way to a lamp a shadow ray goes: its own surface blocks nothing.
+inline float shareOfWay(const Emitter& emitter) { return isPoint(emitter) ? kBeforeLamp : 1 - 1e-4F; }
+
 /// Share of a lamp's light that arrives by a clear way; lamps with an extent hide what is behind them.
 template <class Index, class Recorder>
 Color clearVisibility(SampleState<Index, Recorder>& state, const Ray& ray, const Emitter& emitter,
                       const MediumStack& media, float distance) {
-    const bool point = std::holds_alternative<std::monostate>(emitter.shape);
-    if (anyHit(state.geometry, ray, point ? RayMask::Objects : RayMask::All)) return Color(0);
+    if (anyHit(state.geometry, ray, isPoint(emitter) ? RayMask::Objects : RayMask::All)) return Color(0);
     return transmittanceIn(*state.context.world, media, distance);
 }
 
@@ -105,7 +111,8 @@ Color physicalLight(SampleState<Index, Recorder>& state, const PhysicalPoint& po
             continue;
         }
         ++state.counts[RayKind::Shadow];
-        const Ray ray{spawnOrigin(point.p.at, lamp->wi), lamp->wi, 0, lamp->distance * Rule::kBeforeLamp};
+        const Ray ray{spawnOrigin(point.p.at, lamp->wi), lamp->wi, 0,
+                      lamp->distance * detail::shareOfWay(emitter)};
         Rule::template block<F>(state, point, from, emitter, ray, lamp->distance, term);
         term.radiance = (term.diffuse + term.specular) * term.irradiance * term.visibility;
         radiance += term.radiance;

@@ -26,6 +26,11 @@ struct PhysicalPoint {
     PhysicalSurface surface;
     Interface interface; // valid where the surface is transparent
 
+    /// What a ray that leaves along `direction` runs in, if the one that came here runs in `media`.
+    const MediumStack& mediaTowards(const Vec3& direction, const MediumStack& media) const {
+        return glm::dot(p.geometricNormal, direction) < 0 ? interface.beyond : media;
+    }
+
     Bsdf bsdf() const {
         return {surface, {p.wo, p.normal, p.geometricNormal, interface.eta, !p.object->solid}};
     }
