@@ -17,7 +17,7 @@ constexpr std::array kMethodLines = {
     "local models alone: no shadow, mirror or glass", "and shadow rays; a lamp is one point",
     "and mirrors and glass, all sharp; ambient stands for the other light",
     "soft shadows, rough mirrors and glass; the sky is a lamp; no ambient. Noise fades with samples",
-    "and light from one matte surface to another: all light there is. Noise fades with samples"};
+    "and light from one matte surface to another, in place of ambient. Noise fades with samples"};
 constexpr std::array kSamplerLabels = {"independent"sv, "stratified 4 x 4"sv, "Sobol', scrambled"sv};
 constexpr std::array kFresnelLabels = {"exact equations"sv, "constant kr, kt"sv};
 constexpr std::array kGlassLabels = {"do not block"sv, "tint, straight through"sv, "block"sv};

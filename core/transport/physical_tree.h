@@ -31,9 +31,8 @@ Color physicalRadiance(SampleState<Index, Recorder>& state, const PhysicalRay& r
     if (!ray.forLamps) state.counts.deepest = std::max(state.counts.deepest, ray.tree.depth);
     ++state.treeNodes;
     const auto hit = closestHit(state.geometry, ray.tree.ray);
-    Color transmitted(1);
-    if constexpr (F.transparent)
-        transmitted = transmittanceIn(world, ray.tree.media, hit ? hit->t : kInfinity);
+    const Color transmitted =
+        F.transparent ? transmittanceIn(world, ray.tree.media, hit ? hit->t : kInfinity) : Color(1);
     const int record = [&] {
         if constexpr (Recorder::kOn) {
             state.recorder.record.physical = true;
