@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "tests/app_screen.h"
+#include "tests/temporary_folder.h"
 
 namespace eyeray {
 namespace {
@@ -93,7 +94,9 @@ TEST(Hover, IsSwitchedOffAndOnByKeyHAndRemembered) {
     screen.press("H");
     screen.hover(ball);
     EXPECT_FALSE(screen.hovered());
-    EXPECT_FALSE(screen.gui.preferences().hover);
+    const TemporaryFolder folder;
+    savePreferences(screen.gui.preferences(), folder / "preferences");
+    EXPECT_FALSE(loadPreferences(folder / "preferences").hover);
     screen.press("H");
     screen.hover(ball);
     EXPECT_TRUE(screen.hovered());

@@ -98,7 +98,7 @@ private:
     };
 
     const Index& treeOf(std::uint32_t tree) const {
-        return tree == kTopLevel ? geometry_.top : meshOf(geometry_.instances[tree])->index;
+        return tree == kTopLevel ? geometry_.top : std::get<1>(geometry_.instances[tree].geometry)->index;
     }
 
     SpaceBox boxOf(Role role, std::uint32_t tree, const Bounds& box) const {
