@@ -93,33 +93,41 @@ ByteImage difference(const ByteImage& actual, const ByteImage& golden) {
 class GoldenImage : public testing::TestWithParam<std::string> {};
 
 TEST_P(GoldenImage, IsWhatTheSceneLooksLike) {
-    const std::string scene = GetParam();
-    const ByteImage actual = rendered(openScene(scene).document);
+    const std::string name = GetParam();
+    const std::size_t by = name.find("_by_");
+    Document document = openScene(name.substr(0, by)).document;
+    if (by != std::string::npos)
+        document = apply(document, Command::parse("set method=" + name.substr(by + 4)));
+    const ByteImage actual = rendered(document);
     if (std::getenv("EYERAY_UPDATE_GOLDEN") != nullptr) { // NOLINT(concurrency-mt-unsafe): nothing sets it
-        write(kGolden / (scene + ".png"), actual);
+        write(kGolden / (name + ".png"), actual);
         GTEST_SKIP() << "written anew";
     }
-    const ByteImage golden = goldenOf(scene);
+    const ByteImage golden = goldenOf(name);
     const std::size_t others = otherPixels(actual, golden);
     if (others <= allowedOtherPixels(golden)) return;
-    write(kOutput / (scene + "-actual.png"), actual);
+    write(kOutput / (name + "-actual.png"), actual);
     if (actual.width() == golden.width() && actual.height() == golden.height())
-        write(kOutput / (scene + "-difference.png"), difference(actual, golden));
+        write(kOutput / (name + "-difference.png"), difference(actual, golden));
     ADD_FAILURE() << fmt::format("{} of {} pixels differ: see {}/{}-*.png", others, golden.values().size(),
-                                 kOutput.string(), scene);
+                                 kOutput.string(), name);
 }
 
-std::vector<std::string> sceneNames() {
+/// Each scene as its file says, and some by the methods that draw at random: as it is, or NAME_by_METHOD.
+std::vector<std::string> pictureNames() {
     std::vector<std::string> names;
     for (const BuiltinScene& scene : builtinScenes()) names.push_back(scene.name);
+    for (const char* const name :
+         {"cornell_by_path", "metals_by_path", "cornell_by_distributed", "metals_by_distributed"})
+        names.emplace_back(name);
     return names;
 }
 
-INSTANTIATE_TEST_SUITE_P(Each, GoldenImage, testing::ValuesIn(sceneNames()),
+INSTANTIATE_TEST_SUITE_P(Each, GoldenImage, testing::ValuesIn(pictureNames()),
                          [](const auto& scene) { return scene.param; });
 
 TEST(GoldenImages, BelongToTheBuiltInScenes) {
-    const std::vector<std::string> names = sceneNames();
+    const std::vector<std::string> names = pictureNames();
     for (const auto& entry : fs::directory_iterator(kGolden))
         EXPECT_NE(std::find(names.begin(), names.end(), entry.path().stem().string()), names.end())
             << entry.path() << " is a picture of no built-in scene";

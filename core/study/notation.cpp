@@ -120,7 +120,8 @@ std::string LedgerText::expression(int node, bool alone, const Leaf& leaf) const
     int parts = 0;
     for (const int operand : operands) {
         const LedgerNode& o = ledger.at(operand);
-        if (o.term == Term::Emission && isBlack(o.value)) continue;
+        if (isBlack(o.value) && (o.term == Term::Emission || (o.term == Term::Ambient && record.physical)))
+            continue;
         if (parts++ > 0) result += sum ? " + " : (notation == Notation::Glm ? " * " : " · ");
         const bool cut = o.term == Term::Radiance;
         result += cut ? leaf(operand) : expression(operand, sum || operands.size() == 1, leaf);
