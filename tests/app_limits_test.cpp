@@ -73,7 +73,7 @@ TEST_F(Limits, KilledAtAnyTimeItLeavesTheOldPictureOrTheNewOne) {
     ASSERT_NE(older, newer);
     for (std::uint32_t i = 0; i < 100; ++i) {
         {
-            Process killed = render("2"); // its destructor kills it
+            const Process killed = render("2"); // its destructor kills it
             std::this_thread::sleep_for(std::chrono::microseconds(hash32(i) % 100'000));
         }
         const std::string left = textOf(folder / "picture.png");

@@ -47,6 +47,18 @@ std::vector<Color> sum(std::vector<Color> a, const std::vector<Color>& b, float 
     return a;
 }
 
+Scene twiceAsBright(Scene scene) {
+    for (Light& light : scene.lights) light.intensity *= 2;
+    scene.ambient *= 2;
+    for (Color* c : {&scene.environment.zenith, &scene.environment.horizon, &scene.environment.nadir})
+        *c *= 2;
+    for (Material& material : scene.materials) {
+        if (auto* taught = std::get_if<TaughtMaterial>(&material.model)) taught->emission *= 2;
+        if (auto* gltf = std::get_if<GltfMaterial>(&material.model)) gltf->emissiveStrength *= 2;
+    }
+    return scene;
+}
+
 class BuiltInPicture : public testing::TestWithParam<std::filesystem::path> {
 protected:
     std::vector<Color> pictureOf(const Scene& changed, AccelKind accel = AccelKind::Auto) const {
@@ -112,16 +124,7 @@ TEST_P(BuiltInPicture, OfTheMirroredSceneIsMirroredBitForBit) {
 }
 
 TEST_P(BuiltInPicture, OfTwiceTheLightIsTwiceAsBrightBitForBit) {
-    Scene twice = scene;
-    for (Light& light : twice.lights) light.intensity *= 2;
-    twice.ambient *= 2;
-    for (Color* c : {&twice.environment.zenith, &twice.environment.horizon, &twice.environment.nadir})
-        *c *= 2;
-    for (Material& material : twice.materials) {
-        if (auto* taught = std::get_if<TaughtMaterial>(&material.model)) taught->emission *= 2;
-        if (auto* gltf = std::get_if<GltfMaterial>(&material.model)) gltf->emissiveStrength *= 2;
-    }
-    EXPECT_EQ(different(scaled(picture, 2), pictureOf(twice)), 0);
+    EXPECT_EQ(different(scaled(picture, 2), pictureOf(twiceAsBright(scene))), 0);
 }
 
 TEST_P(BuiltInPicture, IsTheSumOfThoseByEachLamp) {
@@ -137,8 +140,48 @@ TEST_P(BuiltInPicture, IsTheSumOfThoseByEachLamp) {
     EXPECT_EQ(different(picture, all, 1e-5F), 0);
 }
 
+/// The same of the methods that throw dice, in fewer pixels.
+class BuiltInPictureByChance : public testing::TestWithParam<std::tuple<std::filesystem::path, Method>> {
+protected:
+    std::vector<Color> pictureOf(const Scene& changed, AccelKind accel = AccelKind::Auto) const {
+        TraceSettings settings = toDepth(4);
+        settings.method = std::get<Method>(GetParam());
+        std::vector<Color> all;
+        const Tracing tracing(changed, settings, kWidth / 3, kHeight / 3, accel);
+        for (int pass = 0; pass < 2; ++pass) {
+            const TileResult tile = tracing.tile(pass);
+            EXPECT_EQ(tile.counts.invalidSamples, 0U);
+            all.insert(all.end(), tile.radiance.begin(), tile.radiance.end());
+        }
+        return all;
+    }
+
+    ImportReport report;
+    const Scene scene = importGltf(std::get<0>(GetParam()), report);
+    const std::vector<Color> picture = pictureOf(scene);
+};
+
+TEST_P(BuiltInPictureByChance, IsTheSameByEveryIndex) {
+    for (const AccelKind accel : {AccelKind::Brute, AccelKind::Bvh2, AccelKind::Bvh8})
+        EXPECT_EQ(different(picture, pictureOf(scene, accel)), 0);
+}
+
+TEST_P(BuiltInPictureByChance, OfTwiceTheLightIsTwiceAsBright) {
+    EXPECT_EQ(different(scaled(picture, 2), pictureOf(twiceAsBright(scene)), 1e-5F), 0);
+}
+
 INSTANTIATE_TEST_SUITE_P(Assets, BuiltInPicture, testing::ValuesIn(sceneFiles()),
                          [](const auto& file) { return file.param.stem().string(); });
+
+std::string nameOf(const testing::TestParamInfo<BuiltInPictureByChance::ParamType>& info) {
+    const std::size_t method = static_cast<std::size_t>(std::get<Method>(info.param));
+    return std::get<0>(info.param).stem().string() + "_" + std::string(kMethodNames[method]);
+}
+
+INSTANTIATE_TEST_SUITE_P(Assets, BuiltInPictureByChance,
+                         testing::Combine(testing::ValuesIn(sceneFiles()),
+                                          testing::Values(Method::Distributed, Method::Path)),
+                         nameOf);
 
 }
 }

@@ -4,25 +4,22 @@
 #include <span>
 
 #include "app/document/command.h"
-#include "core/base/errors.h"
 #include "core/study/hit_lines.h"
+#include "tests/fuzz/accepted.h"
 
 namespace eyeray::fuzz {
 
 inline void command(std::string_view line) {
-    try {
+    accepted([&] {
         const Command parsed = Command::parse(line);
-        ENSURE(Command::parse(parsed.text()).text() == parsed.text());
-    } catch (const InputError&) {
-    }
+        ENSURE(Command::parse(parsed.text()) == parsed);
+    });
 }
 
 inline void ray(std::string_view line) {
-    try {
-        const auto parsed = parseRayLine(line, 1);
-        if (parsed) ENSURE(isFinite(parsed->origin) && parsed->tMin >= 0);
-    } catch (const InputError&) {
-    }
+    accepted([&] {
+        if (const auto parsed = parseRayLine(line, 1)) ENSURE(isFinite(parsed->origin) && parsed->tMin >= 0);
+    });
 }
 
 /// Each line is refused with an InputError, or says the same when written again.

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <span>
 
-#include "core/base/errors.h"
 #include "core/scene/gltf.h"
+#include "tests/fuzz/accepted.h"
 #include "tests/scenes.h"
 
 namespace eyeray::fuzz {
@@ -23,12 +23,8 @@ inline void scene(std::span<const std::byte> bytes) {
     constexpr std::size_t kMostTriangles = 20'000; // more would only take time
     constexpr int kSide = 8;
     Scene scene;
-    try {
-        ImportReport report;
-        scene = importGltf(bytes, "fuzzed", report);
-    } catch (const InputError&) {
-        return;
-    }
+    ImportReport report;
+    if (!accepted([&] { scene = importGltf(bytes, "fuzzed", report); })) return;
     validate(scene);
     if (trianglesOf(scene) > kMostTriangles || scene.objects.size() > kMostTriangles) return;
     const TileResult tile = scenes::Tracing(scene, scenes::toDepth(3), kSide, kSide).tile();
