@@ -53,6 +53,7 @@ TEST_F(Limits, ShortOfMemoryItSaysSoOrRendersTheWholePicture) {
         EXPECT_EQ(code, 1) << megabytes << " MB: " << said;
         EXPECT_EQ(std::ranges::count(said, '\n'), 1) << said;
         EXPECT_NE(said.find("memory"), std::string::npos) << said;
+        EXPECT_EQ(std::ranges::count(said, ':'), 3) << "eyeray: what: what is wrong: what to do: " << said;
         EXPECT_FALSE(fs::exists(folder / "picture.png")) << megabytes;
     }
     EXPECT_GT(refused, 0);

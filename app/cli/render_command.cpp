@@ -37,8 +37,7 @@ RenderStatus render(RenderSession& session, const RenderJob& job, bool progress)
     if (progress) endProgress();
     session.stop();
     status = session.status();
-    if (status.phase == RenderStatus::Phase::Failed)
-        throw Failure("render", status.failure, "choose a smaller picture");
+    if (status.phase == RenderStatus::Phase::Failed) throw std::runtime_error(status.failure); // a whole line
     return status;
 }
 

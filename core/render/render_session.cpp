@@ -203,6 +203,8 @@ void RenderSession::coordinate(const std::stop_token& end) {
         std::string failure;
         try {
             run(job);
+        } catch (const std::bad_alloc&) {
+            failure = "rendering: there is not enough memory: choose a smaller picture or scene";
         } catch (const std::exception& error) {
             failure = error.what();
         }
