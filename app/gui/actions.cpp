@@ -79,6 +79,7 @@ constexpr std::array kActions = {
     Action{"View", "Play: the next hit", "Shift+.", "play to=hit"},
     Action{"View", "Play a coarse picture, pixel by pixel", "Shift+Y", "play-grid"},
     Action{"View", "What is under the pointer", "H", "hover"},
+    Action{"View", "From the light: photons from the lamps", "Shift+L", "from-light"},
     Action{"View", "Brighter", "B", "adjust key=exposure by=0.5"},
     Action{"View", "Darker", "Shift+B", "adjust key=exposure by=-0.5"},
     Action{"View", "Presenter size", "P", "presenter"},

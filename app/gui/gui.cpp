@@ -149,7 +149,8 @@ void Gui::explainingTabs(const Widgets& ui) {
         const char* label;
         void (*draw)(const Widgets&);
     };
-    for (const Tab& tab : {Tab{"Tree", treeView}, Tab{"Sum", ledgerView}, Tab{"Play", playView}}) {
+    for (const Tab& tab :
+         {Tab{"Tree", treeView}, Tab{"Sum", ledgerView}, Tab{"Play", playView}, Tab{"Light", photonView}}) {
         const bool wanted = wantedTab_ == tab.label;
         const bool open = ImGui::BeginTabItem(tab.label, nullptr, wanted ? ImGuiTabItemFlags_SetSelected : 0);
         ui.mark(fmt::format("tab {}", tab.label));

@@ -39,8 +39,8 @@ void presenter(Gui& gui, const Command& command) {
 }
 void panels(Gui& gui, const Command& command) { gui.setPanels(wanted(command, gui.preferences().panels)); }
 void tab(Gui& gui, const Command& command) {
-    constexpr std::array kNames = {"tree"sv, "sum"sv, "play"sv};
-    constexpr std::array kLabels = {"Tree"sv, "Sum"sv, "Play"sv};
+    constexpr std::array kNames = {"tree"sv, "sum"sv, "play"sv, "light"sv};
+    constexpr std::array kLabels = {"Tree"sv, "Sum"sv, "Play"sv, "Light"sv};
     command.allowOnly({"name"});
     command.required("name");
     gui.showTab(kLabels[static_cast<std::size_t>(*command.choice("name", kNames))]);
@@ -116,6 +116,26 @@ void playGrid(Gui& gui, const Command& command) {
     if (on) showPlay(gui, false);
 }
 
+void fromLight(Gui& gui, const Command& command) {
+    constexpr double kLongest = 1e6, kSlowest = 0.1; // metres; photons a second
+    command.allowOnly({"on", "radius", "rate", "photons"});
+    Viewer& viewer = gui.viewer();
+    PhotonSettings settings = viewer.photonSettings();
+    const bool wasOn = settings.on;
+    settings.on = command.flag("on").value_or(!command.arguments().empty() || !wasOn);
+    settings.radius = command.number("radius", 0, kLongest).value_or(settings.radius);
+    settings.perSecond = command.number("rate", kSlowest, kMostPhotonsPerSecond).value_or(settings.perSecond);
+    if (const auto most = command.number("photons", 0, kMostPhotons))
+        settings.most = static_cast<std::uint64_t>(*most);
+    if (settings.on && !viewer.hasScene())
+        throw InputError(command.text(), "no scene is open", "open a scene first");
+    viewer.setPhotons(settings);
+    if (settings.on && !wasOn) {
+        gui.showTab("Light");
+        gui.setExplain(true);
+    }
+}
+
 void deselect(Gui& gui, const Command&) {
     if (gui.viewer().hasScene()) {
         gui.viewer().pick(std::nullopt, false);
@@ -174,11 +194,15 @@ constexpr std::array kCommands = {
                rayview},
     GuiCommand{"rasterised", "on=on|off",
                "Shows what OpenGL draws of the scene: no shadows, mirrors or glass.", rasterised},
-    GuiCommand{"tab", "name=tree|sum|play", "Shows the picked pixel's tree, its sum or its playing.", tab},
+    GuiCommand{"tab", "name=tree|sum|play|light",
+               "Shows the picked pixel's tree, its sum or its playing, or the photons.", tab},
     GuiCommand{"play", "to=start|back|next|hit|light|end run=on|off speed=F",
                "Plays how the picked pixel is traced, or the coarse picture: a step, or by itself.", play},
     GuiCommand{"play-grid", "on=on|off",
                "Plays how a picture of 16 by 12 pixels is traced, one pixel at a step.", playGrid},
+    GuiCommand{"from-light", "on=on|off radius=M rate=N photons=N",
+               "Sends photons from the lamps; how large the lens is, how many a second, how many in all.",
+               fromLight},
     GuiCommand{"other", "on=on|off", "Shows the picture in place of a layer, or the other side alone.",
                other},
     GuiCommand{"fullscreen", "on=on|off", "Fills the screen.", fullscreen},

@@ -16,6 +16,7 @@ void pixelPanel(const Widgets&);   // the picked pixel, in short
 void treeView(const Widgets&);     // its rays, as a diagram or a table
 void ledgerView(const Widgets&);   // its colour as a sum
 void playView(const Widgets&);     // its tracing, ray by ray
+void photonView(const Widgets&);   // photons from the lamps
 void statusBar(const Widgets&);    // progress and counts, one line
 void noticesOverlay(const Widgets&, float right, float top); // what was done or went wrong
 

@@ -68,6 +68,7 @@ void PictureView::setRasterised(bool on) {
 
 const GlTexture& PictureView::texture() const {
     if (playsGrid_) return grid_.texture();
+    if (photons_.showing()) return photons_.texture();
     return rasterised_ ? raster_.texture() : film_.texture();
 }
 
@@ -77,6 +78,7 @@ void PictureView::refresh(const Widgets& ui) {
     if (playsGrid != playsGrid_) ++switches_;
     playsGrid_ = playsGrid;
     if (playsGrid_) grid_.refresh(ui.viewer, ui.dark);
+    photons_.refresh(ui.viewer);
     const Comparison& comparison = ui.viewer.document().comparison;
     film_.refresh(ui.viewer.session(), ui.viewer.document().render.display);
     layer_.refresh(ui.viewer);
@@ -88,17 +90,25 @@ void PictureView::refresh(const Widgets& ui) {
 
 void PictureView::image(const Widgets& ui, ImVec2 corner, ImVec2 size, bool other) const {
     if (playsGrid_) return grid_.draw(ui, corner, size);
+    if (photons_.showing() && !other) return photonImage(ui, corner, size);
     const ImVec2 opposite{corner.x + size.x, corner.y + size.y};
     const LegendPlace place{{corner.x, opposite.y}, size.x, size.y};
     ImDrawList& list = *ImGui::GetWindowDrawList();
     const bool compares = ui.viewer.hasScene() && ui.viewer.document().comparison.on;
     const bool layered = layer_.showing() && !compares && !other && !rasterised_;
-    const GlTexture& whole = layered ? layer_.texture() : texture();
+    const GlTexture& own = rasterised_ ? raster_.texture() : film_.texture();
+    const GlTexture& whole = layered ? layer_.texture() : own;
     if (whole.width() > 0) list.AddImage(textureId(whole), corner, opposite);
     if (layered) layer_.legend(ui, place);
     if (!compares) return;
     compare_.draw(ui, raster_.texture(), corner, size, other);
     compare_.legend(ui, place);
+}
+
+void PictureView::photonImage(const Widgets& ui, ImVec2 corner, ImVec2 size) const {
+    const ImVec2 opposite{corner.x + size.x, corner.y + size.y};
+    ImGui::GetWindowDrawList()->AddImage(textureId(photons_.texture()), corner, opposite);
+    photons_.legend(ui, {{corner.x, opposite.y}, size.x, size.y});
 }
 
 void PictureView::mouse(const Widgets& ui, ImVec2 corner) {

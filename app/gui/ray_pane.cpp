@@ -7,6 +7,7 @@
 #include "app/document/picture_file.h"
 #include "app/gui/sketch_view.h"
 #include "app/gui/theme.h"
+#include "app/rayview/photon_arrows.h"
 #include "core/base/errors.h"
 #include "core/image/atomic_file.h"
 #include "core/image/encode.h"
@@ -222,6 +223,8 @@ RayViewContent RayPane::content(const Widgets& ui, const PictureView& picture) {
                            .samples = {},
                            .selectedRay = -1,
                            .index = index_.picture(viewer),
+                           .photons = {},
+                           .lens = {},
                            .hurried = ImGui::IsAnyMouseDown(),
                            .labels = labels_};
     if (const auto& picked = viewer.picked()) {
@@ -231,6 +234,13 @@ RayViewContent RayPane::content(const Widgets& ui, const PictureView& picture) {
         if (playing) played_ = firstRays(picked->trace, shown);
         content.samples.push_back(playing ? &played_ : &picked->trace);
         content.selectedRay = viewer.selectedRay();
+    }
+    if (const auto& photons = viewer.photons().picture(); photons && !viewer.gridPlayer().on()) {
+        content.samples.clear();
+        content.selectedRay = -1;
+        content.photons = arrowsOf(photons->paths, content.world->radius);
+        content.lens = photons->lens;
+        return content;
     }
     if (const GridPlayer& player = viewer.gridPlayer(); player.on()) {
         const PixelGrid& grid = player.grid();
@@ -303,7 +313,8 @@ void RayPane::caption(const Widgets& ui, Sketch& sketch, const RayStyle& style, 
         sketch.labels.push_back({{margin, y}, text, style.text, {0, 0}, 0.9F});
         y += 1.35F * style.letter;
     };
-    if (!ui.viewer.document().pixel && show_ == ShownRays::Pixel && !ui.viewer.gridPlayer().on())
+    if (!ui.viewer.document().pixel && show_ == ShownRays::Pixel && !ui.viewer.gridPlayer().on() &&
+        !ui.viewer.photons().picture())
         say("click a pixel of the picture to see its rays");
     else if (show_ != ShownRays::Pixel && many_.samples().size() < many_.wanted())
         say(fmt::format("{} of {} pixels: no more than {} rays are drawn", many_.samples().size(),
@@ -314,7 +325,8 @@ void RayPane::caption(const Widgets& ui, Sketch& sketch, const RayStyle& style, 
     if (const std::string text = index_.text(); !text.empty()) say(text);
     const Vec2 corner(size.width, size.height);
     if (corner.y > kLegendHeight * style.letter) {
-        drawLegend(sketch, view_.arrows(), style, {margin, corner.y - margin});
+        drawLegend(sketch, view_.arrows(), style, {margin, corner.y - margin},
+                   ui.viewer.photons().picture() ? kPhotonKindNames : kRayKindNames);
         if (const IndexPicture* index = index_.picture(ui.viewer))
             drawIndexLegend(sketch, *index, style, corner - Vec2(margin));
     }

@@ -50,7 +50,7 @@ private:
         std::vector<float> dashes;
         for (const float letters : dashesOf(arrow.kind)) dashes.push_back(letters * style_.letter);
         if (arrow.endless && dashes.empty()) dashes = {0.4F * style_.letter, 0.25F * style_.letter};
-        return {.ink = style_.kinds[static_cast<std::size_t>(arrow.kind)],
+        return {.ink = faded(style_.kinds[static_cast<std::size_t>(arrow.kind)], arrow.opacity),
                 .width = width * style_.scale * thickness_,
                 .dashes = std::move(dashes),
                 .fades = arrow.endless,

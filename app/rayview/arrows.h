@@ -18,6 +18,7 @@ struct Arrow {
     Vec3 from{0}, to{0};
     Vec3 blocker{0};  // where a blocked ray is blocked
     float weight = 1; // largest component of its share of the pixel
+    float opacity = 1;
 };
 
 /// The arrows of a record, in its order. Vertices are the record's own; rays that never end are drawn

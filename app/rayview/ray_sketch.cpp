@@ -98,7 +98,19 @@ void drawLamps(Sketch& sketch, const DepthView& view, const World& world, const 
     }
 }
 
-void drawLegend(Sketch& sketch, const std::vector<Arrow>& arrows, const RayStyle& style, const Vec2& corner) {
+void drawLens(Sketch& sketch, const DepthView& view, const Lens& lens, const RayStyle& style) {
+    constexpr int kSides = 32;
+    const Pen pen{.ink = style.highlight, .width = 2 * style.scale, .dashes = {}, .tag = -1};
+    const auto rim = [&](int i) {
+        const float angle = 2 * kPi * static_cast<float>(i) / kSides;
+        return DVec3(lens.center + lens.radius * (std::cos(angle) * lens.right + std::sin(angle) * lens.up));
+    };
+    for (int i = 0; i < kSides; ++i)
+        if (const auto line = view.projection.line(rim(i), rim(i + 1))) drawLine(sketch, view, *line, pen);
+}
+
+void drawLegend(Sketch& sketch, const std::vector<Arrow>& arrows, const RayStyle& style, const Vec2& corner,
+                std::span<const std::string_view> names) {
     std::array<int, kRayKinds> counts{};
     int blocked = 0;
     for (const Arrow& arrow : arrows) {
@@ -111,7 +123,7 @@ void drawLegend(Sketch& sketch, const std::vector<Arrow>& arrows, const RayStyle
         const auto index = static_cast<std::size_t>(kind);
         if (counts[index] == 0) continue;
         const auto rayKind = static_cast<RayKind>(kind);
-        std::string text = fmt::format("{} {}", name(rayKind), counts[index]);
+        std::string text = fmt::format("{} {}", names[index], counts[index]);
         if (rayKind == RayKind::Shadow && blocked > 0) text += fmt::format(", {} blocked", blocked);
         std::vector<float> dashes;
         for (const float letters : dashesOf(rayKind)) dashes.push_back(letters * style.letter);

@@ -3,11 +3,14 @@
 
 #include <array>
 #include <optional>
+#include <span>
+#include <string_view>
 
 #include "app/rayview/arrows.h"
 #include "app/rayview/depth_view.h"
 #include "app/rayview/image_plane.h"
 #include "app/rayview/sketch.h"
+#include "core/study/photon_walk.h"
 
 namespace eyeray {
 
@@ -38,8 +41,12 @@ void drawPixel(Sketch&, const DepthView&, const ImagePlane&, const DVec2& pixel,
                const RayStyle&);
 void drawLamps(Sketch&, const DepthView&, const World&, const RayStyle&, bool labels);
 
+/// The rim of the lens at the eye.
+void drawLens(Sketch&, const DepthView&, const Lens&, const RayStyle&);
+
 /// How many rays of each kind are shown, each with its line; `corner` is the lower left one.
-void drawLegend(Sketch&, const std::vector<Arrow>&, const RayStyle&, const Vec2& corner);
+void drawLegend(Sketch&, const std::vector<Arrow>&, const RayStyle&, const Vec2& corner,
+                std::span<const std::string_view> names = kRayKindNames);
 
 /// The directions at a hit, unit, away from the surface but t.
 struct HitVectors {

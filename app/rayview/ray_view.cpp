@@ -105,6 +105,7 @@ void RayView::drawSketch(const RayViewContent& content, const ImagePlane& plane,
                                     kReach * content.world->radius);
         arrows_.insert(arrows_.end(), added.begin(), added.end());
     }
+    arrows_.insert(arrows_.end(), content.photons.begin(), content.photons.end());
     leftOut_ = arrows_.size();
     arrows_ = weightiest(std::move(arrows_), kMostArrows, content.selectedRay);
     leftOut_ -= arrows_.size();
@@ -114,11 +115,12 @@ void RayView::drawSketch(const RayViewContent& content, const ImagePlane& plane,
     sketch_ = {};
     drawLamps(sketch_, view, *content.world, style, content.labels);
     drawEye(sketch_, view, plane, style, content.labels);
+    if (content.lens) drawLens(sketch_, view, *content.lens, style);
     if (content.pixel)
         drawPixel(sketch_, view, plane, *content.pixel, content.pictureWidth, content.pictureHeight, style);
     if (content.hovered != nullptr) drawHovered(content, view, plane, style);
     if (content.index != nullptr) drawIndex(sketch_, view, *content.index, style);
-    const bool many = content.samples.size() > 1;
+    const bool many = content.samples.size() > 1 || !content.photons.empty();
     drawArrows(sketch_, view, arrows_, style,
                selected == arrows_.end() ? -1 : static_cast<int>(selected - arrows_.begin()),
                many ? kThinMany : 1.0F);

@@ -28,8 +28,10 @@ struct RayViewContent {
     const IndexPicture* index = nullptr;      // boxes to be drawn too
     const SampleRecord* hovered = nullptr;    // a sample whose rays are shown pale
     DVec2 hoveredPixel{0};
-    bool hurried = false; // something is being dragged: rather soon than smooth
-    bool labels = true;   // names, coordinates, vectors and angles
+    std::vector<Arrow> photons; // their ways
+    std::optional<Lens> lens;   // that they are to find
+    bool hurried = false;       // something is being dragged: rather soon than smooth
+    bool labels = true;         // names, coordinates, vectors and angles
 };
 
 /// Used by the thread of its OpenGL.

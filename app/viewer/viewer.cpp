@@ -123,6 +123,7 @@ void Viewer::setPaused(bool paused) {
     paused_ = paused;
     paused ? session_->pause() : session_->resume();
     comparison_.setPaused(paused);
+    photons_.setPaused(paused);
 }
 
 bool Viewer::update() {
@@ -135,7 +136,7 @@ bool Viewer::update() {
     if (document().scene != builtScene_ || !(document().build == builtSettings_)) startBuilding();
     const bool started = startRendering();
     const bool metered = meterExposure();
-    const bool compared = updateComparison(), layered = updateLayer();
+    const bool compared = updateComparison(), layered = updateLayer(), lit = updatePhotons();
     const RenderStatus now = session_->status();
     const bool finished = lastPhase_ != now.phase || lastSamples_ != now.samples;
     if (now.phase != lastPhase_) retraceGrid();
@@ -145,7 +146,7 @@ bool Viewer::update() {
     lastPhase_ = now.phase;
     lastSamples_ = now.samples;
     return loaded || built || started || metered || compared || layered || finished || averaged || played ||
-           now.active() || loading() || building();
+           lit || now.active() || loading() || building();
 }
 
 void Viewer::openInBackground(const std::string& nameOrPath, std::vector<Command> commands) {

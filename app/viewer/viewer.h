@@ -17,6 +17,7 @@
 #include "app/viewer/comparison_rendering.h"
 #include "app/viewer/grid_player.h"
 #include "app/viewer/layer_rendering.h"
+#include "app/viewer/photon_rendering.h"
 #include "app/viewer/pixel_study.h"
 #include "app/viewer/player.h"
 #include "core/render/render_session.h"
@@ -99,6 +100,8 @@ public:
     const PixelStudy& study() const { return study_; }
     const LayerRendering& layers() const { return layers_; }
     const ComparisonRendering& comparison() const { return comparison_; }
+    const PhotonRendering& photons() const { return photons_; }
+    const PhotonSettings& photonSettings() const { return photonSettings_; }
     const std::deque<Notice>& notices() const { return notices_; }
     /// True while there is a notice that will go by itself.
     bool noticesPass() const;
@@ -126,6 +129,8 @@ public:
     /// Strikes a node of the picked sample's ledger out, or back in.
     void strike(int node, bool out) { study_.strike(node, out); }
     void restoreStruck() { study_.restore(); }
+    /// Sends photons from the lamps, or stops.
+    void setPhotons(const PhotonSettings& settings) { photonSettings_ = settings; }
     /// What OpenGL draws of the document while its picture is compared with that; null while it is not.
     void compareWith(std::shared_ptr<const ColorImage> rasterised);
     /// Shows the difference of a comparison, or takes it away; without one, what the last switch of a ray
@@ -157,6 +162,7 @@ private:
     void startComparison(const RenderSettings& now, const std::optional<std::string>& switched);
     bool updateComparison();
     bool updateLayer();
+    bool updatePhotons();
     bool tracing(int samples) const;
     bool meterExposure();
     void pickPixel(std::optional<PixelPosition>);
@@ -189,6 +195,8 @@ private:
     int width_ = 0, height_ = 0;
     LayerRendering layers_;
     ComparisonRendering comparison_;
+    PhotonRendering photons_;
+    PhotonSettings photonSettings_;
     std::optional<OtherPicture> compared_;         // what the comparison was last started with
     std::shared_ptr<const ColorImage> rasterised_; // likewise
     std::string lastSwitch_;                       // the setting that undoes it, such as "reflections=on"

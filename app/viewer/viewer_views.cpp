@@ -1,4 +1,4 @@
-// What the viewer shows besides its picture: layers, and the other side of a comparison.
+// What the viewer shows besides its picture: layers, the other side of a comparison, photons.
 
 #include <fmt/format.h>
 
@@ -27,6 +27,28 @@ bool Viewer::updateLayer() {
         return layers_.update();
     } catch (const std::exception& error) {
         report(Notice::Kind::Error, error.what());
+        return true;
+    }
+}
+
+bool Viewer::updatePhotons() {
+    if (!photonSettings_.on || !rendered_ || !renderedWorld_) {
+        photons_.clear();
+        return false;
+    }
+    photons_.show({.world = renderedWorld_,
+                   .camera = renderedCamera_,
+                   .width = rendered_->width,
+                   .height = rendered_->height,
+                   .radius = lensRadius(photonSettings_, renderedCamera_),
+                   .threads = sessionThreads_,
+                   .seed = rendered_->seed},
+                  photonSettings_);
+    try {
+        return photons_.update();
+    } catch (const std::exception& error) {
+        report(Notice::Kind::Error, error.what());
+        photonSettings_.on = false;
         return true;
     }
 }
@@ -92,7 +114,7 @@ bool Viewer::tracing(int samples) const {
     if (paused_) return layers_.active();
     const RenderStatus status = session_->status();
     const int compared = comparison_.change() ? comparison_.change()->samples : 0;
-    return (status.active() && status.samples < samples) || layers_.active() ||
+    return (status.active() && status.samples < samples) || layers_.active() || photons_.ends() ||
            (comparison_.active() && (compared < samples || comparison_.measuring()));
 }
 

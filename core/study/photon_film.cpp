@@ -105,8 +105,8 @@ bool PhotonFilm::add(const PhotonWalk& walk, int count, ThreadPool& pool, const 
         std::move(batch.seen.begin(), batch.seen.end(), std::back_inserter(seen_));
         keepLast(seen_, kLatestSeen);
     }
-    latest_ = seen_;
-    latest_.insert(latest_.end(), last.begin(), last.end());
+    std::move(last.begin(), last.end(), std::back_inserter(latest_));
+    keepLast(latest_, kLatest);
     return true;
 }
 

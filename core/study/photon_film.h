@@ -33,10 +33,11 @@ public:
     const PhotonTally& tally() const { return tally_; }
     /// What the lens has seen so far, as radiance: with more photons, the picture that a lens would make.
     ColorImage radiance() const;
-    /// The last few photons of the last round, and the last that reached the lens.
+    /// The last few photons, and those that reached the lens last.
     const std::vector<PhotonPath>& latest() const { return latest_; }
+    const std::vector<PhotonPath>& latestSeen() const { return seen_; }
 
-    static constexpr std::size_t kLatest = 48, kLatestSeen = 12;
+    static constexpr std::size_t kLatest = 24, kLatestSeen = 8;
 
 private:
     struct Batch;
