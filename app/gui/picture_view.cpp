@@ -173,7 +173,8 @@ void PictureView::drag(const Widgets& ui, int button, ImVec2 delta) {
 /// Of the picture itself alone: beside or in place of it other things stand under the pointer.
 void PictureView::tellHovered(const Widgets& ui, ImVec2 corner, ImVec2 middle) {
     const bool asked = hovers_ && ImGui::IsItemHovered() && !ImGui::IsAnyMouseDown();
-    const bool itself = !playsGrid_ && !rasterised_ && !ui.viewer.document().comparison.on;
+    const bool itself =
+        !playsGrid_ && !rasterised_ && !photons_.showing() && !ui.viewer.document().comparison.on;
     const auto pixel = pixelAt(ImGui::GetIO().MousePos, corner);
     if (!asked || !itself || !pixel) return hover_.leave();
     hover_.over(ui.viewer, *pixel, film_.version());
