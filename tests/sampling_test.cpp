@@ -164,6 +164,13 @@ TEST(Samplers, StratifiedTakesTheCellsInManyOrders) {
     for (const int count : firstCell) EXPECT_NEAR(count, 100, 45);
 }
 
+TEST(Sobol2, HasTheBitsOfItsDefinition) {
+    // As first computed, with a loop over the direction numbers: pictures are to keep their bits.
+    const Vec2 first = sobol2({0, 0, 0, 0}, 0, kPurpose), later = sobol2({7, 123, 45, 6789}, 99, kPurpose);
+    EXPECT_EQ(first, Vec2(0x1.c33ebep-1F, 0x1.65cc04p-2F));
+    EXPECT_EQ(later, Vec2(0x1.13f188p-3F, 0x1.0cf394p-1F));
+}
+
 TEST(Samplers, SobolIsTheSequenceOfThePixelFilter) {
     const SampleAddress address{1, 2, 3, 77};
     EXPECT_EQ(sample2(Sampler::Sobol, address, 0, SamplePurpose::PixelFilter), pixelSample(address));

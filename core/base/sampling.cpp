@@ -25,12 +25,15 @@ constexpr std::uint32_t owenScramble(std::uint32_t v, std::uint32_t seed) {
     return reverseBits(laineKarrasPermutation(reverseBits(v), seed));
 }
 
-// Second Sobol' dimension: its direction numbers are the rows of Pascal's triangle modulo 2.
-constexpr std::uint32_t sobolSecondDimension(std::uint32_t index) {
-    std::uint32_t result = 0;
-    for (std::uint32_t v = 0x80000000U; index != 0; index >>= 1U, v ^= v >> 1U)
-        if ((index & 1U) != 0) result ^= v;
-    return result;
+// Second Sobol' dimension, its bits in reverse. Its direction numbers are the rows of Pascal's triangle
+// modulo 2, in which bit j of row i is set where j's bits are among i's: so each bit becomes the sum of those
+// whose numbers contain its own, which five halvings add up.
+constexpr std::uint32_t sobolSecondDimensionReversed(std::uint32_t index) {
+    index ^= (index >> 1U) & 0x55555555U;
+    index ^= (index >> 2U) & 0x33333333U;
+    index ^= (index >> 4U) & 0x0f0f0f0fU;
+    index ^= (index >> 8U) & 0x00ff00ffU;
+    return index ^ (index >> 16U);
 }
 
 // Of a sequence: all that addresses a number but which sample it is for.
@@ -64,8 +67,11 @@ Vec2 stratified2(std::uint32_t key, std::uint32_t pass) {
 Vec2 sobol2(const SampleAddress& address, std::uint32_t node, SamplePurpose purpose) {
     const std::uint32_t key = keyOf(address, node, purpose);
     const std::uint32_t index = owenScramble(address.pass, key);
-    return {toUnitFloat(owenScramble(reverseBits(index), hashCombine(key, 1))),
-            toUnitFloat(owenScramble(sobolSecondDimension(index), hashCombine(key, 2)))};
+    // Scrambling begins by reversing the bits, as the first dimension does: twice is not at all.
+    const auto scrambled = [&](std::uint32_t reversed, std::uint32_t axis) {
+        return toUnitFloat(reverseBits(laineKarrasPermutation(reversed, hashCombine(key, axis))));
+    };
+    return {scrambled(index, 1), scrambled(sobolSecondDimensionReversed(index), 2)};
 }
 
 Vec2 sample2(Sampler sampler, const SampleAddress& address, std::uint32_t node, SamplePurpose purpose) {
