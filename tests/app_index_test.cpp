@@ -93,6 +93,15 @@ TEST(IndexView, WithoutAnIndexSaysSo) {
     EXPECT_EQ(screen.gui.widgets().count("box level"), 0U);
 }
 
+TEST(IndexView, OpensWhenBoxesAreAskedFor) {
+    IndexScreen screen;
+    screen.execute("explain on=off");
+    screen.execute("rayview boxes=none");
+    EXPECT_FALSE(screen.gui.preferences().explain);
+    screen.execute("rayview boxes=ray");
+    EXPECT_TRUE(screen.gui.preferences().explain);
+}
+
 TEST(IndexView, RefusesWhatItDoesNotKnow) {
     IndexScreen screen;
     EXPECT_FALSE(screen.gui.execute(Command::parse("rayview boxes=all")));

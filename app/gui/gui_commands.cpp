@@ -49,7 +49,11 @@ void tab(Gui& gui, const Command& command) {
 void explain(Gui& gui, const Command& command) { gui.setExplain(wanted(command, gui.preferences().explain)); }
 void hover(Gui& gui, const Command& command) { gui.setHover(wanted(command, gui.preferences().hover)); }
 void rasterised(Gui& gui, const Command& command) { gui.setRasterised(wanted(command, gui.rasterised())); }
-void rayview(Gui& gui, const Command& command) { gui.rayPane().execute(command); }
+/// Whoever wants boxes wants to see them.
+void rayview(Gui& gui, const Command& command) {
+    gui.rayPane().execute(command);
+    if (command.find("boxes").value_or("none") != "none") gui.setExplain(true);
+}
 void other(Gui& gui, const Command& command) { gui.setOther(wanted(command, gui.other())); }
 void fly(Gui& gui, const Command& command) { gui.setFly(wanted(command, gui.fly())); }
 void fullscreen(Gui& gui, const Command& command) {
