@@ -115,6 +115,9 @@ TEST_F(FromTheLight, AnotherLensOrCameraBeginsAnewAndMorePhotonsDoNot) {
     EXPECT_EQ(picture().radiance, sent(0.3, 2 * kPhotons).radiance());
     execute("orbit yaw=10");
     EXPECT_EQ(picture().radiance, sent(0.3, 2 * kPhotons).radiance());
+    execute("set lens=0.25");
+    execute("from-light radius=0");
+    EXPECT_EQ(picture().radiance, sent(0.25, 2 * kPhotons).radiance()) << "the camera's own lens";
 }
 
 TEST_F(FromTheLight, APauseHoldsThePhotons) {

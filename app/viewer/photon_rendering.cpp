@@ -19,7 +19,9 @@ constexpr double kLensShare = 0.01;       // of the way to the target
 
 double lensRadius(const PhotonSettings& settings, const Camera& camera) {
     constexpr double kLeast = 1e-6; // metres: an eye may stand on its target
-    return settings.radius > 0 ? settings.radius : std::max(kLensShare * camera.distance(), kLeast);
+    for (const double radius : {settings.radius, camera.lensRadius})
+        if (radius > 0) return radius;
+    return std::max(kLensShare * camera.distance(), kLeast);
 }
 
 struct PhotonRendering::Run {

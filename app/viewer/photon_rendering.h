@@ -21,7 +21,7 @@ inline constexpr int kPhotonBlock = 4;
 /// How a person looks at the light.
 struct PhotonSettings {
     bool on = false;
-    double radius = 0; // of the lens, metres; 0: a hundredth of the way to the target
+    double radius = 0; // of the lens, metres; 0: the camera's or, of a pinhole, a hundredth of its distance
     double perSecond = kMostPhotonsPerSecond;
     std::uint64_t most = 0; // then it stands still; 0: never
     friend bool operator==(const PhotonSettings&, const PhotonSettings&) = default;
