@@ -55,6 +55,9 @@ public:
 
     bool has(RayKind lobe) const;
 
+    /// Whether pick() has no choice.
+    bool single() const { return diffuseChance_ == 1 || (diffuseChance_ == 0 && !has(RayKind::Refraction)); }
+
     static constexpr float kSmooth = 0.03F;
 
 private:

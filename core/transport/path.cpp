@@ -38,8 +38,8 @@ public:
 private:
     Color onward(const PhysicalRay& ray, const PhysicalPoint& point, const Bsdf& bsdf, const Color& weight,
                  int record) {
-        const auto sample =
-            bsdf.pick(random(ray.key, SamplePurpose::Lobe).x, random(ray.key, SamplePurpose::Direction));
+        const float choice = bsdf.single() ? 0 : random(ray.key, SamplePurpose::Lobe).x;
+        const auto sample = bsdf.pick(choice, random(ray.key, SamplePurpose::Direction));
         if (!sample || !(maxComponent(sample->weight) > 0)) return Color(0);
         Color share = sample->weight / sample->probability;
         auto reason = reasonNotToTrace(state_, ray, *sample);
