@@ -8,14 +8,15 @@
 namespace eyeray {
 namespace {
 
-constexpr int kSamplesPerPixel = 4;  // of OpenGL's own smoothing: in software three times the time of one
-constexpr double kNearest = 0.01;    // of the distance to what is looked at
-constexpr double kFarthest = 12;     // radii of the scene behind its middle
-constexpr float kReach = 2.5F;       // of endless rays, in radii of the scene
-constexpr float kTolerance = 0.003F; // of the outside distance: see DepthView
-constexpr double kGridApart = 7;     // pixels at least
-constexpr float kThinMany = 0.55F;   // width of rays where several samples are shown
-constexpr float kPale = 0.6F;        // of the rays of the pixel under the pointer
+constexpr int kSamplesPerPixel = 4;     // of OpenGL's own smoothing: in software three times the time of one
+constexpr double kNearest = 0.01;       // of the distance to what is looked at
+constexpr double kFarthest = 12;        // radii of the scene behind its middle
+constexpr float kReach = 2.5F;          // of endless rays, in radii of the scene
+constexpr float kTolerance = 0.003F;    // of the outside distance: see DepthView
+constexpr double kGridApart = 7;        // pixels at least
+constexpr std::size_t kFewPhotons = 24; // steps of photons that are drawn as wide as a single sample's rays
+constexpr float kThinMany = 0.55F;      // width of rays where several samples are shown
+constexpr float kPale = 0.6F;           // of the rays of the pixel under the pointer
 constexpr std::size_t kMostHovered = 200;
 
 Projection projectionFor(const World& world, const Camera& outside, int width, int height) {
@@ -120,7 +121,7 @@ void RayView::drawSketch(const RayViewContent& content, const ImagePlane& plane,
         drawPixel(sketch_, view, plane, *content.pixel, content.pictureWidth, content.pictureHeight, style);
     if (content.hovered != nullptr) drawHovered(content, view, plane, style);
     if (content.index != nullptr) drawIndex(sketch_, view, *content.index, style);
-    const bool many = content.samples.size() > 1 || !content.photons.empty();
+    const bool many = content.samples.size() > 1 || content.photons.size() > kFewPhotons;
     drawArrows(sketch_, view, arrows_, style,
                selected == arrows_.end() ? -1 : static_cast<int>(selected - arrows_.begin()),
                many ? kThinMany : 1.0F);
