@@ -37,7 +37,7 @@ public:
     std::size_t paths() { return gui.rayPane().view().sketch().paths.size(); }
     std::string traversal(int ray) const {
         return traversalText(
-            traversalOf(*viewer.shownWorld(), GlassShadows::Straight, viewer.picked()->trace, ray),
+            traversalOf(*viewer.shownWorld(), document().render.trace, viewer.picked()->trace, ray),
             *viewer.shownWorld());
     }
 };

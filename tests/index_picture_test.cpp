@@ -136,7 +136,7 @@ TEST_P(EachTree, EveryBoxThatARayPassesBeforeItsHitIsAmongThoseMet) {
         record.rays.push_back({.origin = Vec3(random.inCube(4)), .direction = Vec3(random.direction())});
         const RayRecord& ray = record.rays.front();
         TraversalLog log;
-        logTraversal(*world, GlassShadows::Straight, record, 0, log);
+        logTraversal(*world, TraceSettings{}, record, 0, log);
         const auto hit = std::visit(
             [&](const auto& geometry) { return closestHit(geometry, Ray{ray.origin, ray.direction}); },
             *world->accel);
@@ -167,7 +167,7 @@ TEST_P(EachTree, DrawsEveryTriangleAndShapeThatIsTested) {
     for (int i = 0; i < 32; ++i) {
         const Retrace trace = tracing.retrace(i, i);
         TraversalLog log;
-        logTraversal(*world, GlassShadows::Straight, trace, 0, log);
+        logTraversal(*world, TraceSettings{}, trace, 0, log);
         const IndexPicture tested = pictureOf(*world, log);
         const auto boxes =
             static_cast<std::size_t>(std::ranges::count(tested.boxes, Role::Tested, &SpaceBox::role));
@@ -186,7 +186,7 @@ TEST(IndexPicture, WithoutAnIndexHasPrimitivesAloneAndNoLevel) {
     EXPECT_TRUE(boxesOfLevel(*world, 0).boxes.empty());
     const Tracing tracing(world, toDepth(0));
     TraversalLog log;
-    logTraversal(*world, GlassShadows::Straight, tracing.retrace(), 0, log);
+    logTraversal(*world, TraceSettings{}, tracing.retrace(), 0, log);
     const IndexPicture tested = pictureOf(*world, log);
     EXPECT_EQ(tested.boxes.size(), 4U) << "the balls";
     EXPECT_EQ(tested.triangles.size() + tested.leftOut + 4, world->primitives);

@@ -1,6 +1,8 @@
 // labels: unit
 // The work that recorded rays made for the index: against what brute force must do, counted by hand.
 
+#include <algorithm>
+
 #include <gtest/gtest.h>
 
 #include "core/study/layer_film.h"
@@ -63,9 +65,22 @@ TEST(RayTraversal, OfAShadowRayThroughGlassIsEveryQuestionOfItsPolicy) {
         const Retrace trace = tracing.retrace();
         const int ray = shadowRay(trace);
         ASSERT_EQ(ray, 1);
-        EXPECT_EQ(traversalOf(tracing.world(), c.policy, trace, ray), (TraversalCounts{0, 0, c.tests}));
-        EXPECT_EQ(traversalOf(tracing.world(), c.policy, trace, 0).primitives, tracing.world().primitives);
+        EXPECT_EQ(traversalOf(tracing.world(), settings, trace, ray), (TraversalCounts{0, 0, c.tests}));
+        EXPECT_EQ(traversalOf(tracing.world(), settings, trace, 0).primitives, tracing.world().primitives);
     }
+}
+
+TEST(RayTraversal, OfAShadowRayOfAPathIsOneQuestion) {
+    TraceSettings settings = toDepth(1);
+    settings.method = Method::Path;
+    const Tracing tracing(glassBeforeLamp(), settings, 1, 1, AccelKind::Brute);
+    const Retrace trace = tracing.retrace();
+    const auto shadows = std::ranges::find(trace.rays, RayKind::Shadow, &RayRecord::kind);
+    ASSERT_NE(shadows, trace.rays.end());
+    ASSERT_EQ(shadows->end, RayEnd::Blocked) << "glass blocks it";
+    // the floor, which comes first, then the glass
+    EXPECT_EQ(traversalOf(tracing.world(), settings, trace, static_cast<int>(shadows - trace.rays.begin())),
+              (TraversalCounts{0, 0, 2}));
 }
 
 TEST(RayTraversal, WithoutAnIndexEveryRayButABlockedShadowRayIsTestedAgainstAll) {
@@ -76,7 +91,7 @@ TEST(RayTraversal, WithoutAnIndexEveryRayButABlockedShadowRayIsTestedAgainstAll)
             const Retrace trace = tracing.retrace(x, y);
             for (std::size_t i = 0; i < trace.rays.size(); ++i) {
                 const auto counts =
-                    traversalOf(tracing.world(), GlassShadows::Straight, trace, static_cast<int>(i));
+                    traversalOf(tracing.world(), tracing.context().settings, trace, static_cast<int>(i));
                 const bool stops = trace.rays[i].end == RayEnd::Blocked;
                 ++(stops ? blocked : others);
                 if (stops)
@@ -98,8 +113,8 @@ TEST(RayTraversal, OfASampleIsTheSumOfItsRaysAndFarLessThanBruteForce) {
             const Retrace trace = tracing.retrace(x, kHeight / 2);
             TraversalCounts sum;
             for (std::size_t i = 0; i < trace.rays.size(); ++i)
-                sum += traversalOf(tracing.world(), GlassShadows::Straight, trace, static_cast<int>(i));
-            EXPECT_EQ(traversalOf(tracing.world(), GlassShadows::Straight, trace), sum);
+                sum += traversalOf(tracing.world(), tracing.context().settings, trace, static_cast<int>(i));
+            EXPECT_EQ(traversalOf(tracing.world(), tracing.context().settings, trace), sum);
             all += sum;
             rays += trace.rays.size();
         }
@@ -120,7 +135,7 @@ TEST(RayTraversal, LayersOfVisitsAndTestsHoldThoseOfEachPixelsRays) {
         for (int x = 0; x < kWidth; ++x) {
             TraversalCounts sum;
             for (int pass = 0; pass < 2; ++pass)
-                sum += traversalOf(tracing.world(), GlassShadows::Straight, tracing.retrace(x, y, pass));
+                sum += traversalOf(tracing.world(), tracing.context().settings, tracing.retrace(x, y, pass));
             EXPECT_EQ(visits.at(x, y).x, static_cast<float>(sum.nodes) / 2);
             EXPECT_EQ(tests.at(x, y).x, static_cast<float>(sum.primitives) / 2);
         }

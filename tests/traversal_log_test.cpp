@@ -143,6 +143,7 @@ TYPED_TEST(EachTree, OfARayThatMeetsNothingHasNoPrimitive) {
 TEST(Bvh8, KnowsHowManyChildrenANodeHas) {
     for (const int count : {1, 3, 8}) {
         std::vector<Bounds> boxes;
+        boxes.reserve(8);
         for (int i = 0; i < count; ++i) boxes.push_back({Vec3(DVec3(i)), Vec3(DVec3(i + 1))});
         EXPECT_EQ(Bvh8::childrenOf(Bvh8(boxes, 1, {}).nodes()[0]), static_cast<unsigned>(count));
     }

@@ -43,7 +43,7 @@ Inspected inspect(const InspectOptions& options) {
     result.ledger = ledgerOf(result.trace);
     for (std::size_t i = 0; i < result.trace.rays.size(); ++i)
         result.traversal.push_back(
-            traversalOf(*result.world, context.settings.glassShadows, result.trace, static_cast<int>(i)));
+            traversalOf(*result.world, context.settings, result.trace, static_cast<int>(i)));
     return result;
 }
 

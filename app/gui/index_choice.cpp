@@ -67,7 +67,7 @@ void IndexChoice::refresh(const Viewer& viewer) {
                 .origin = Vec3(0),
                 .direction = Vec3(0),
                 .t = 0,
-                .glassShadows = viewer.document().render.trace.glassShadows};
+                .settings = viewer.document().render.trace};
     const auto& picked = viewer.picked();
     const int ray = viewer.selectedRay();
     if (picked && !picked->trace.rays.empty()) {
@@ -88,7 +88,7 @@ void IndexChoice::refresh(const Viewer& viewer) {
     }
     if (shown_ != ShownBoxes::Ray || !made_.picked) return;
     TraversalLog log;
-    logTraversal(*made_.world, made_.glassShadows, picked->trace, ray, log);
+    logTraversal(*made_.world, made_.settings, picked->trace, ray, log);
     counts_ = log.counts;
     picture_ = pictureOf(*made_.world, log);
 }

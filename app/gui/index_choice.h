@@ -43,7 +43,7 @@ private:
         RayKind kind = RayKind::Eye;
         Vec3 origin{0}, direction{0};
         float t = 0;
-        GlassShadows glassShadows = GlassShadows::Straight;
+        TraceSettings settings;
         friend bool operator==(const Made&, const Made&) = default;
     };
 

@@ -83,8 +83,8 @@ void rayDetails(const Widgets& ui) {
 std::string indexWork(const Widgets& ui, int ray) {
     const auto world = ui.viewer.shownWorld();
     if (!world) return {};
-    const GlassShadows policy = ui.viewer.document().render.trace.glassShadows;
-    return traversalText(traversalOf(*world, policy, ui.viewer.picked()->trace, ray), *world);
+    const TraceSettings& settings = ui.viewer.document().render.trace;
+    return traversalText(traversalOf(*world, settings, ui.viewer.picked()->trace, ray), *world);
 }
 
 void treeView(const Widgets& ui) {

@@ -75,8 +75,7 @@ bool LayerFilm::addPass(const TraceContext& context, const Integrator& integrato
         const auto counts = integrator.retraceTile(
             traced, tiles_[tile], pass, [&](int x, int y, const SampleRecord& record, const Color& radiance) {
                 const TraversalCounts work =
-                    ofIndex ? traversalOf(*traced.world, traced.settings.glassShadows, record)
-                            : TraversalCounts{};
+                    ofIndex ? traversalOf(*traced.world, traced.settings, record) : TraversalCounts{};
                 for (const Layer& layer : layers_)
                     values.push_back(layer.quantity == Quantity::Cost
                                          ? DVec3(costOf(traced, integrator, x, y, pass))

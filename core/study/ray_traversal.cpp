@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "core/study/wording.h"
 
 namespace eyeray {
@@ -20,15 +22,41 @@ public:
         closestHit(geometry_, {ray.origin, ray.direction}, RayMask::All, log_);
     }
 
-    void shadow(const RayRecord& record, GlassShadows policy, bool inGlass) {
-        const Ray ray{record.origin, record.direction, 0, record.t};
+    /// The shadow ray of this number.
+    void shadow(const SampleRecord& record, int index, const TraceSettings& settings) {
+        const RayRecord& r = record.rays[static_cast<std::size_t>(index)];
+        const Ray ray{r.origin, r.direction, 0, r.t};
+        if (isPhysical(settings.method)) {
+            const bool clear =
+                !anyHit(geometry_, ray, hasExtent(r.light) ? RayMask::All : RayMask::Objects, log_);
+            const bool tinted = settings.method == Method::Distributed && bringsDiffuse(record, index);
+            if (clear || !tinted || !world_.needs.refractions) return;
+        }
+        const bool inGlass = r.parent >= 0 && record.rays[static_cast<std::size_t>(r.parent)].medium >= 0;
+        taught(ray, settings.glassShadows, inGlass);
+    }
+
+private:
+    void taught(const Ray& ray, GlassShadows policy, bool inGlass) {
         const bool clear = !anyHit(geometry_, ray, RayMask::Objects, log_);
         if (!world_.needs.refractions || policy == GlassShadows::AllBlock) return;
         if (!clear && anyHit(geometry_, ray, RayMask::Opaque, log_)) return;
         if (policy == GlassShadows::Straight && (!clear || inGlass)) filtered(ray);
     }
 
-private:
+    /// True for a lamp with a surface, and for the sky.
+    bool hasExtent(int light) const {
+        if (light < 0) return true;
+        const LampShape& shape = world_.scene->lights[static_cast<std::size_t>(light)].shape;
+        return std::holds_alternative<RectangleLamp>(shape) || std::holds_alternative<SphereLamp>(shape);
+    }
+
+    static bool bringsDiffuse(const SampleRecord& record, int shadowRay) {
+        return std::ranges::any_of(record.lamps, [&](const LampTerm& term) {
+            return term.shadowRay == shadowRay && !isBlack(term.diffuse);
+        });
+    }
+
     void filtered(Ray ray) {
         for (int i = 0; i < kMostSurfaces; ++i) {
             const auto hit = closestHit(geometry_, ray, RayMask::Transparent, log_);
@@ -55,29 +83,28 @@ TraversalLog countingLog() {
 
 }
 
-void logTraversal(const World& world, GlassShadows policy, const SampleRecord& record, int index,
+void logTraversal(const World& world, const TraceSettings& settings, const SampleRecord& record, int index,
                   TraversalLog& log) {
-    const auto at = [&](int ray) -> const RayRecord& { return record.rays[static_cast<std::size_t>(ray)]; };
-    const RayRecord& ray = at(index);
-    const bool inGlass = ray.parent >= 0 && at(ray.parent).medium >= 0;
+    const RayRecord& ray = record.rays[static_cast<std::size_t>(index)];
     std::visit(
         [&](const auto& geometry) {
             Questions questions(world, geometry, log);
-            ray.kind == RayKind::Shadow ? questions.shadow(ray, policy, inGlass) : questions.nearest(ray);
+            ray.kind == RayKind::Shadow ? questions.shadow(record, index, settings) : questions.nearest(ray);
         },
         *world.accel);
 }
 
-TraversalCounts traversalOf(const World& world, GlassShadows policy, const SampleRecord& record, int ray) {
+TraversalCounts traversalOf(const World& world, const TraceSettings& settings, const SampleRecord& record,
+                            int ray) {
     TraversalLog log = countingLog();
-    logTraversal(world, policy, record, ray, log);
+    logTraversal(world, settings, record, ray, log);
     return log.counts;
 }
 
-TraversalCounts traversalOf(const World& world, GlassShadows policy, const SampleRecord& record) {
+TraversalCounts traversalOf(const World& world, const TraceSettings& settings, const SampleRecord& record) {
     TraversalLog log = countingLog();
     for (int ray = 0; ray < static_cast<int>(record.rays.size()); ++ray)
-        logTraversal(world, policy, record, ray, log);
+        logTraversal(world, settings, record, ray, log);
     return log.counts;
 }
 
