@@ -39,7 +39,7 @@ struct EmittedPhoton {
     float reach = kInfinity; // metres: the range of its lamp
 };
 
-/// All lamps of a World, with their extent. One of the suns' photons comes from a disc that covers the
+/// All lamps of a World, with their extent. A sun's photons come from a disc that covers the
 /// bounded scene and the eye. A taught lamp without falloff has no power: in its place stands the lamp with
 /// falloff that gives the middle of the scene the same light. The sky and glowing materials send nothing.
 class PhotonLamps {
