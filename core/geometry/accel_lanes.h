@@ -20,14 +20,13 @@ HWY_INLINE void eachLane(FloatMask mask, const Each& each) {
         each(static_cast<std::size_t>(std::countr_zero(bits)));
 }
 
-/// Shapes that have no form for many rays yet are taken ray by ray.
-template <class OtherShape>
-ShapeHitLanes intersect(const OtherShape& shape, const RayLanes& rays) {
+/// Ray by ray: quadrics with caps have too many cases to be taken at once.
+inline ShapeHitLanes intersect(const Cylinder& cylinder, const RayLanes& rays) {
     const RaySpread single(rays);
     Spread t, u;
     SpreadInt face;
     for (std::size_t lane = 0; lane < kLanes; ++lane) {
-        const Hit hit = eyeray::intersect(shape, single.at(lane)).value_or(Hit{});
+        const Hit hit = eyeray::intersect(cylinder, single.at(lane)).value_or(Hit{});
         t.lane[lane] = hit.t, u.lane[lane] = hit.u, face.set(lane, hit.primitive);
     }
     return {gathered(t), gathered(u), gathered(face)};
@@ -38,9 +37,7 @@ HWY_INLINE ShapeHitLanes intersectShape(const Instance<Index>& instance, RayLane
     rays = toObject(instance.placement, rays);
     rays.tMax = limit;
     const Shape& shape = *std::get_if<Shape>(&instance.geometry);
-    if (const auto* sphere = std::get_if<Sphere>(&shape)) return intersect(*sphere, rays);
-    if (const auto* plane = std::get_if<Plane>(&shape)) return intersect(*plane, rays);
-    return std::visit([&](const auto& other) { return intersect(other, rays); }, shape);
+    return std::visit([&](const auto& s) HWY_ATTR { return intersect(s, rays); }, shape);
 }
 
 /// Hits in lanes: t is infinite where there is none.
@@ -168,14 +165,17 @@ HWY_INLINE SurfaceLanes surfacesAt(const IndexedGeometry<Index>& geometry, const
     eachInstance(hits.instance, asked, [&](std::uint32_t id, FloatMask lanes) HWY_ATTR {
         const Instance<Index>& instance = geometry.instances[id];
         const Shape* shape = std::get_if<Shape>(&instance.geometry);
-        const auto* sphere = shape != nullptr ? std::get_if<Sphere>(shape) : nullptr;
-        const auto* plane = shape != nullptr ? std::get_if<Plane>(shape) : nullptr;
+        const auto localSurface = [&](const auto& s) HWY_ATTR {
+            const ShapeHitLanes hit{hits.t, hits.u, hits.primitive};
+            return toWorld(instance.placement, surfaceAt(s, toObject(instance.placement, rays), hit));
+        };
         SurfaceLanes here;
-        if (sphere != nullptr) {
-            const RayLanes local = toObject(instance.placement, rays);
-            here = toWorld(instance.placement, surfaceAt(*sphere, local, hits.t, hits.u));
-        } else if (plane != nullptr) {
-            here = toWorld(instance.placement, surfaceAt(*plane, toObject(instance.placement, rays)));
+        if (const auto* sphere = std::get_if<Sphere>(shape)) {
+            here = localSurface(*sphere);
+        } else if (const auto* plane = std::get_if<Plane>(shape)) {
+            here = localSurface(*plane);
+        } else if (const auto* box = std::get_if<Box>(shape)) {
+            here = localSurface(*box);
         } else {
             const RaySpread single(rays);
             const HitSpread hit(hits);

@@ -179,27 +179,78 @@ HWY_INLINE ShapeHitLanes intersect(const Plane& plane, const RayLanes& ray) {
     return {hn::IfThenElse(met, rounded, none), zero, face};
 }
 
+HWY_INLINE ShapeHitLanes intersect(const Box& box, const RayLanes& ray) {
+    const DoubleTag d;
+    const auto zero = hn::Zero(d);
+    auto in = all(-std::numeric_limits<double>::infinity()), out = hn::Neg(in);
+    auto inFace = zero, outFace = zero;
+    auto met = in < out;
+    const auto cut = [&](FloatLanes origin, FloatLanes direction, double half, double lowerFace) HWY_ATTR {
+        const auto o = widen(origin), along = widen(direction);
+        const auto lower = (all(-half) - o) / along, upper = (all(half) - o) / along;
+        const auto positive = along > zero, still = along == zero;
+        const auto begin = hn::IfThenElse(positive, lower, upper),
+                   end = hn::IfThenElse(positive, upper, lower);
+        const auto between = hn::And(still, hn::Abs(o) <= all(half));
+        met = hn::And(met, hn::Or(between, hn::AndNot(still, begin <= end)));
+        const auto later = hn::AndNot(still, begin > in), sooner = hn::AndNot(still, end < out);
+        in = hn::IfThenElse(later, begin, in), out = hn::IfThenElse(sooner, end, out);
+        const auto below = all(lowerFace), above = all(lowerFace + 1);
+        inFace = hn::IfThenElse(later, hn::IfThenElse(positive, below, above), inFace);
+        outFace = hn::IfThenElse(sooner, hn::IfThenElse(positive, above, below), outFace);
+    };
+    cut(ray.origin.x, ray.direction.x, 0.5 * box.size.x, 0);
+    cut(ray.origin.y, ray.direction.y, 0.5 * box.size.y, 2);
+    cut(ray.origin.z, ray.direction.z, 0.5 * box.size.z, 4);
+    if (hn::AllFalse(d, met)) return {all(kInfinity), hn::Zero(FloatTag()), hn::Zero(IntTag())};
+    return firstEnd(in, out, hn::DemoteTo(IntTag(), inFace), hn::DemoteTo(IntTag(), outFace), met, ray);
+}
+
 /// The surface at hits of this shape; all in object space.
 HWY_INLINE SurfaceLanes surfaceAt(const DVec3Lanes& position, const Vec3Lanes& normal) {
     const Vec3Lanes p = narrow(position);
     return {p, abs(p) * all(gammaBound(1)), normal, normal};
 }
 
-HWY_INLINE SurfaceLanes surfaceAt(const Sphere& sphere, const RayLanes& ray, FloatLanes hitT,
-                                  FloatLanes rest) {
-    const auto t = widen(hitT) + widen(rest);
-    const DVec3Lanes p = widen(ray.origin) + widen(ray.direction) * t;
+/// As pointAtHit in solid.h.
+HWY_INLINE DVec3Lanes pointAtHit(const RayLanes& ray, const ShapeHitLanes& hit) {
+    return widen(ray.origin) + widen(ray.direction) * (widen(hit.t) + widen(hit.u));
+}
+
+HWY_INLINE SurfaceLanes surfaceAt(const Sphere& sphere, const RayLanes& ray, const ShapeHitLanes& hit) {
+    const DVec3Lanes p = pointAtHit(ray, hit);
     const auto square = dot(p, p);
     const auto zero = hn::Zero(DoubleTag());
     const DVec3Lanes normal = p * hn::IfThenElse(square > zero, all(1.0) / hn::Sqrt(square), zero);
     return surfaceAt(normal * all(static_cast<double>(sphere.radius)), narrow(normal));
 }
 
-HWY_INLINE SurfaceLanes surfaceAt(const Plane&, const RayLanes& ray) {
+HWY_INLINE SurfaceLanes surfaceAt(const Plane&, const RayLanes& ray, const ShapeHitLanes&) {
     const auto t = meetsPlane(ray);
     const DVec3Lanes p{widen(ray.origin.x) + t * widen(ray.direction.x), hn::Zero(DoubleTag()),
                        widen(ray.origin.z) + t * widen(ray.direction.z)};
     return surfaceAt(p, all(Vec3(0, 1, 0)));
+}
+
+HWY_INLINE SurfaceLanes surfaceAt(const Box& box, const RayLanes& ray, const ShapeHitLanes& hit) {
+    const IntTag n;
+    const FloatTag f;
+    DVec3Lanes p = pointAtHit(ray, hit);
+    Vec3Lanes normal;
+    const auto bit = hn::And(hit.face, hn::Set(n, 1)), axis = hit.face - bit; // 0, 2, 4
+    const auto upper = hn::RebindMask(f, bit == hn::Set(n, 1));
+    const auto side = hn::IfThenElse(upper, all(1.0F), all(-1.0F));
+    const auto settle = [&](DoubleLanes& position, FloatLanes& component, double half,
+                            int twiceAxis) HWY_ATTR {
+        component = hn::IfThenElseZero(hn::RebindMask(f, axis == hn::Set(n, twiceAxis)), side);
+        const auto clamped = hn::Min(hn::Max(position, all(-half)), all(half));
+        const auto wide = widen(component);
+        position = hn::IfThenElse(wide == hn::Zero(DoubleTag()), clamped, wide * all(half));
+    };
+    settle(p.x, normal.x, 0.5 * box.size.x, 0);
+    settle(p.y, normal.y, 0.5 * box.size.y, 2);
+    settle(p.z, normal.z, 0.5 * box.size.z, 4);
+    return surfaceAt(p, normal);
 }
 
 }
