@@ -8,6 +8,7 @@
 #endif
 
 #include "core/geometry/accel.h"
+#include "core/geometry/bvh8_packet.h"
 #include "core/geometry/ray_lanes.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -18,18 +19,6 @@ template <class Each>
 HWY_INLINE void eachLane(FloatMask mask, const Each& each) {
     for (std::uint32_t bits = bitsOf(mask); bits != 0; bits &= bits - 1)
         each(static_cast<std::size_t>(std::countr_zero(bits)));
-}
-
-/// Ray by ray: quadrics with caps have too many cases to be taken at once.
-inline ShapeHitLanes intersect(const Cylinder& cylinder, const RayLanes& rays) {
-    const RaySpread single(rays);
-    Spread t, u;
-    SpreadInt face;
-    for (std::size_t lane = 0; lane < kLanes; ++lane) {
-        const Hit hit = eyeray::intersect(cylinder, single.at(lane)).value_or(Hit{});
-        t.lane[lane] = hit.t, u.lane[lane] = hit.u, face.set(lane, hit.primitive);
-    }
-    return {gathered(t), gathered(u), gathered(face)};
 }
 
 template <class Index>
@@ -113,8 +102,17 @@ HWY_INLINE HitLanes closestHits(const IndexedGeometry<Index>& geometry, const Ra
             return nearest.hit;
         }
     }
-    const RaySpread single(rays);
     HitSpread hits{HitLanes{}};
+    if constexpr (std::is_same_v<Index, Bvh8>) {
+        Packet<false> packet(geometry, rays, asked, mask);
+        if (packet.trace()) {
+            eachLane(asked, [&](std::size_t lane) {
+                if (const auto hit = packet.hit(lane)) hits.set(lane, *hit);
+            });
+            return hits.gathered();
+        }
+    }
+    const RaySpread single(rays);
     eachLane(asked, [&](std::size_t lane) {
         if (const auto hit = closestHit(geometry, single.at(lane), mask)) hits.set(lane, *hit);
     });
@@ -135,6 +133,10 @@ HWY_INLINE FloatMask anyHits(const IndexedGeometry<Index>& geometry, const RayLa
             });
             return hn::And(hit, asked);
         }
+    }
+    if constexpr (std::is_same_v<Index, Bvh8>) {
+        Packet<true> packet(geometry, rays, asked, mask);
+        if (packet.trace()) return hn::AndNot(maskOf(packet.open()), asked);
     }
     const RaySpread single(rays);
     std::uint32_t hit = 0;

@@ -14,25 +14,32 @@
 HWY_BEFORE_NAMESPACE();
 namespace eyeray::HWY_NAMESPACE {
 
+// Calls offer(hit) for the hits of a leaf's triangles at t in (tMin, limit) until it returns true; whether it
+// did.
+template <class Offer>
+bool visitTriangles(const IndexedMesh<Bvh8>& mesh, std::uint32_t first, std::uint32_t count,
+                    const RayShear& shear, float tMin, const float& limit, const Offer& offer) {
+    const TriangleBlock& block = mesh.triangles.block(first);
+    std::uint32_t lanes = mayMeet(block, shear) & ((1U << count) - 1U);
+    for (; lanes != 0; lanes &= lanes - 1) {
+        const auto lane = static_cast<std::uint32_t>(std::countr_zero(lanes));
+        auto hit = intersectCorners(block.triangle(lane), mesh.mesh->doubleSided, shear, tMin, limit);
+        if (!hit) continue;
+        hit->primitive = mesh.index.entries()[first + lane];
+        if (offer(*hit)) return true;
+    }
+    return false;
+}
+
 // Calls offer(hit) for hits at t in (tMin, limit) until it returns true; whether it did.
 template <class Offer, class Log>
 bool visitMesh(const IndexedMesh<Bvh8>& mesh, const Ray& local, const float& limit, const Offer& offer,
                Log log) {
     const RayShear shear(local);
-    const bool doubleSided = mesh.mesh->doubleSided;
     const auto leaf = [&, log](std::uint32_t first, std::uint32_t count) {
-        const TriangleBlock& block = mesh.triangles.block(first);
         for (const std::uint32_t triangle : mesh.index.entries().subspan(first, count))
             log.triangle(triangle);
-        std::uint32_t lanes = mayMeet(block, shear) & ((1U << count) - 1U);
-        for (; lanes != 0; lanes &= lanes - 1) {
-            const auto lane = static_cast<std::uint32_t>(std::countr_zero(lanes));
-            auto hit = intersectCorners(block.triangle(lane), doubleSided, shear, local.tMin, limit);
-            if (!hit) continue;
-            hit->primitive = mesh.index.entries()[first + lane];
-            if (offer(*hit)) return true;
-        }
-        return false;
+        return visitTriangles(mesh, first, count, shear, local.tMin, limit, offer);
     };
     return traverse(mesh.index, local, limit, leaf, log);
 }

@@ -206,6 +206,18 @@ HWY_INLINE ShapeHitLanes intersect(const Box& box, const RayLanes& ray) {
     return firstEnd(in, out, hn::DemoteTo(IntTag(), inFace), hn::DemoteTo(IntTag(), outFace), met, ray);
 }
 
+/// Ray by ray: quadrics with caps have too many cases to be taken at once.
+inline ShapeHitLanes intersect(const Cylinder& cylinder, const RayLanes& rays) {
+    const RaySpread single(rays);
+    Spread t, u;
+    SpreadInt face;
+    for (std::size_t lane = 0; lane < kLanes; ++lane) {
+        const Hit hit = eyeray::intersect(cylinder, single.at(lane)).value_or(Hit{});
+        t.lane[lane] = hit.t, u.lane[lane] = hit.u, face.set(lane, hit.primitive);
+    }
+    return {gathered(t), gathered(u), gathered(face)};
+}
+
 /// The surface at hits of this shape; all in object space.
 HWY_INLINE SurfaceLanes surfaceAt(const DVec3Lanes& position, const Vec3Lanes& normal) {
     const Vec3Lanes p = narrow(position);
