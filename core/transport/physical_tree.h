@@ -11,8 +11,11 @@ namespace eyeray {
 template <class Index, class Recorder>
 PhysicalRay firstRay(const SampleState<Index, Recorder>& state, const Ray& eyeRay) {
     const TraceContext& context = state.context;
-    const Vec2 onLens = sample2(context.settings.sampler, state.address, 0, SamplePurpose::Lens);
-    return {.tree = {.ray = context.eyeRays.fromLens(eyeRay, onLens), .media = context.eyeMedia}};
+    PhysicalRay first{.tree = {.ray = eyeRay, .media = context.eyeMedia}};
+    if (context.eyeRays.hasLens())
+        first.tree.ray = context.eyeRays.fromLens(
+            eyeRay, sample2(context.settings.sampler, state.address, 0, SamplePurpose::Lens));
+    return first;
 }
 
 /// Whether a lobe's rays are traced at all.

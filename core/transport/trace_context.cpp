@@ -61,7 +61,7 @@ Ray EyeRays::through(int x, int y, const Vec2& inPixel) const {
 }
 
 Ray EyeRays::fromLens(const Ray& through, const Vec2& u) const {
-    if (lensRight_ == Vec3(0)) return through;
+    if (!hasLens()) return through;
     const float radius = std::sqrt(u.x), angle = 2 * kPi * u.y;
     const Vec3 place = radius * (std::cos(angle) * lensRight_ + std::sin(angle) * lensUp_);
     const Vec3 sharp = through.direction * (focusDistance_ / glm::dot(through.direction, forward_));

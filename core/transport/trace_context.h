@@ -28,6 +28,7 @@ public:
     /// the distance that is in focus. Without a lens the ray itself. Potmesil, Chakravarty 1982, "Synthetic
     /// Image Generation with a Lens and Aperture Camera Model"; Cook et al. 1984.
     Ray fromLens(const Ray& through, const Vec2& u) const;
+    bool hasLens() const { return lensRight_ != Vec3(0); }
 
 private:
     Vec3 eye_, right_, up_, forward_;
