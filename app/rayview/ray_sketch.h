@@ -18,9 +18,9 @@ namespace eyeray {
 struct RayStyle {
     std::array<Ink, kRayKinds> kinds;
     std::array<Ink, 5> boxes; // by SpaceBox::Role
-    Ink blocked{1};   // of a light ray up to its blocker
-    Ink unlit{0};     // the same behind it
-    Ink highlight{1}; // around the selected ray
+    Ink blocked{1};           // of a light ray up to its blocker
+    Ink unlit{0};             // the same behind it
+    Ink highlight{1};         // around the selected ray
     Ink text{1}, ground{0};
     float scale = 1;   // pixels for a length of 1
     float letter = 17; // height of the text, pixels
