@@ -38,6 +38,7 @@ RenderStatus awaitCoarse(RenderSession&);
 void benchCoarse();
 void benchCancel();
 void benchFrames();
+void benchPick();
 void benchPictures();
 void benchStart();
 

@@ -1,4 +1,4 @@
-// eyeray_bench [coarse|cancel|frames|pictures|start]…: the figures of tests/bench/README.md; all without
+// eyeray_bench [coarse|cancel|frames|pick|pictures|start]…: the figures of tests/bench/README.md; all without
 // arguments.
 
 #include <fmt/format.h>
@@ -22,9 +22,9 @@ struct Benchmark {
 };
 
 constexpr std::array kBenchmarks = {
-    Benchmark{"coarse", eyeray::bench::benchCoarse}, Benchmark{"cancel", eyeray::bench::benchCancel},
-    Benchmark{"frames", eyeray::bench::benchFrames}, Benchmark{"pictures", eyeray::bench::benchPictures},
-    Benchmark{"start", eyeray::bench::benchStart},
+    Benchmark{"coarse", eyeray::bench::benchCoarse},     Benchmark{"cancel", eyeray::bench::benchCancel},
+    Benchmark{"frames", eyeray::bench::benchFrames},     Benchmark{"pick", eyeray::bench::benchPick},
+    Benchmark{"pictures", eyeray::bench::benchPictures}, Benchmark{"start", eyeray::bench::benchStart},
 };
 
 std::string processor() {
@@ -52,7 +52,7 @@ int main(int argc, char** argv) {
     for (const std::string_view argument : arguments)
         if (std::none_of(kBenchmarks.begin(), kBenchmarks.end(),
                          [&](const Benchmark& b) { return b.name == argument; })) {
-            fmt::print(stderr, "usage: eyeray_bench [coarse|cancel|frames|pictures|start]…\n");
+            fmt::print(stderr, "usage: eyeray_bench [coarse|cancel|frames|pick|pictures|start]…\n");
             return 2;
         }
     try {
