@@ -87,8 +87,8 @@ public:
 
 private:
     struct Axis {
-        std::size_t near = 0; // which corner the rays meet first
         Spread originNear, originFar, inverse;
+        std::size_t near = 0;                         // which corner the rays meet first
         float farthestOrigin = 0, hindmostOrigin = 0; // along the rays
         float inverseLow = 0, inverseHigh = 0;
 
