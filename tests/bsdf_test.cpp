@@ -186,7 +186,7 @@ TEST(Bsdf, DensityIsThatOfTheSamples) {
         const Bsdf bsdf = bsdfOf(c, tilted(0.4F));
         for (const RayKind lobe : kLobes) {
             if (!bsdf.has(lobe)) continue;
-            std::vector<double> drawn(kBands * kSectors, 0), expected(kBands * kSectors, 0);
+            std::vector<double> drawn(std::size_t{kBands} * kSectors, 0), expected(drawn);
             double lost = 0;
             overGrid(n, [&](const Vec2& u) {
                 if (const auto s = bsdf.sample(lobe, u))

@@ -46,7 +46,8 @@ double luminance(const ByteImage& picture, int x, int y) {
 
 TEST(Flip, FindsEdgesAndPointsAsPlainSumsDo) {
     // Greys, so that one Gaussian, that of luminance, filters all of colour.
-    ByteImage a(48, 40, {60, 60, 60}), b = a;
+    const ByteImage a(48, 40, {60, 60, 60});
+    ByteImage b = a;
     for (int y = 0; y < 40; ++y)
         for (int x = 25; x < 48; ++x) b.at(x, y) = {90, 90, 90};
     b.at(10, 12) = {255, 255, 255};
@@ -55,8 +56,9 @@ TEST(Flip, FindsEdgesAndPointsAsPlainSumsDo) {
     const double ppd = kPixelsPerDegree, deviation = 0.5 * 0.082 * ppd;
     const int radius = static_cast<int>(std::ceil(3 * deviation));
     const int wide = static_cast<int>(std::ceil(3 * std::sqrt(0.04 / (2 * kPiD * kPiD)) * ppd));
-    for (const auto& [px, py] : {std::pair{10, 12}, {11, 13}, {25, 30}, {24, 5}, {40, 20}}) {
-        const auto feature = [&, px = px, py = py](const ByteImage& picture, auto weight) {
+    for (const auto& pixel : {std::pair{10, 12}, {11, 13}, {25, 30}, {24, 5}, {40, 20}}) {
+        const int px = pixel.first, py = pixel.second;
+        const auto feature = [&](const ByteImage& picture, auto weight) {
             DVec2 sum(0), positive(0), negative(0);
             for (int j = -radius; j <= radius; ++j)
                 for (int i = -radius; i <= radius; ++i) {
@@ -79,7 +81,7 @@ TEST(Flip, FindsEdgesAndPointsAsPlainSumsDo) {
         const auto point = [&](int i) { return i * i / (deviation * deviation) - 1; };
         const double f = std::max(std::abs(feature(a, edge) - feature(b, edge)),
                                   std::abs(feature(a, point) - feature(b, point)));
-        const auto lightness = [&, px = px, py = py](const ByteImage& picture) {
+        const auto lightness = [&](const ByteImage& picture) {
             double sum = 0, weights = 0;
             for (int j = -wide; j <= wide; ++j)
                 for (int i = -wide; i <= wide; ++i) {

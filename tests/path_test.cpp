@@ -71,7 +71,8 @@ TEST(Path, AgreesWithAPathTracerThatKnowsNoLamps) {
     constexpr int kSide = 6, kPasses = 800, kBlindPasses = 12000, kDepth = 4;
     const Scene scene = cornell(Color(0.2F));
     const Tracing tracing(scene, by(Method::Path, kDepth), kSide, kSide);
-    std::vector<DVec3> sums(kSide * kSide, DVec3(0)), squares = sums, blind = sums, blindSquares = sums;
+    std::vector<DVec3> sums(std::size_t{kSide} * kSide, DVec3(0)), squares = sums, blind = sums,
+                                                                   blindSquares = sums;
     std::mt19937 random(7);
     for (int pass = 0; pass < kPasses; ++pass) {
         const auto radiance = tracing.radiance(pass);
@@ -117,7 +118,7 @@ TEST(Path, ErrorFallsAtLeastAsTheRootOfTheSamples) {
         const Tracing tracing(scene, settings, kSide, kSide);
         // Means of blocks of 16 and of 256 passes, each against the mean of all.
         constexpr int kBlocks = 16, kLong = 256, kShort = 16;
-        std::vector<DVec3> total(kSide * kSide, DVec3(0));
+        std::vector<DVec3> total(std::size_t{kSide} * kSide, DVec3(0));
         std::vector<std::vector<double>> shortMeans, longMeans;
         std::vector<double> shortSum(total.size(), 0), longSum(total.size(), 0);
         for (int pass = 0; pass < kBlocks * kLong; ++pass) {

@@ -37,7 +37,7 @@ TEST(PhysicalMethods, SeeNoGlassBallInAWhiteSky) {
     for (const Method method : kPhysical) {
         Scene scene = underSky(Color(1));
         add(scene, Sphere{1}, glass(1.5F), at({0.4, 0.2, -3}));
-        TraceSettings settings = by(method, 40);
+        const TraceSettings settings = by(method, 40);
         EXPECT_NEAR(estimate(Tracing(scene, settings), 200).mean.x, 1, 2e-3);
     }
 }
