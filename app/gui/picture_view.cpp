@@ -185,9 +185,10 @@ void PictureView::tellHovered(const Widgets& ui, ImVec2 corner, ImVec2 middle) {
 
 /// The pixel of the picture at a position in the window.
 std::optional<PixelPosition> PictureView::pixelAt(ImVec2 position, ImVec2 corner) const {
-    const int x = static_cast<int>(position.x - corner.x), y = static_cast<int>(position.y - corner.y);
-    if (x < 0 || y < 0 || x >= shown().width() || y >= shown().height()) return std::nullopt;
-    return PixelPosition{x, y};
+    const float x = position.x - corner.x, y = position.y - corner.y; // far out where there is no pointer
+    const auto within = [](float value, int size) { return value >= 0 && value < static_cast<float>(size); };
+    if (!within(x, shown().width()) || !within(y, shown().height())) return std::nullopt;
+    return PixelPosition{static_cast<int>(x), static_cast<int>(y)};
 }
 
 void PictureView::pick(const Widgets& ui, ImVec2 position, ImVec2 corner) {
