@@ -92,9 +92,9 @@ TEST(Thinned, TakesWholeBlocksEvenlySpreadAndAtLeastOne) {
     for (std::size_t i = 0; i < rays.size(); ++i) rays[i].tMin = static_cast<float>(i);
     EXPECT_EQ(thinned(rays, 5000).size(), 1000U);
     EXPECT_EQ(thinned(rays, 0).size(), 64U);
-    std::vector<Ray> picture(64 * 1024); // 32 blocks in each of 32 rows
+    std::vector<Ray> picture(std::size_t{64} * 1024); // 32 blocks in each of 32 rows
     for (std::size_t i = 0; i < picture.size(); ++i) picture[i].tMin = static_cast<float>(i);
-    const auto some = thinned(picture, 64 * 32);
+    const auto some = thinned(picture, std::size_t{64} * 32);
     ASSERT_EQ(some.size(), 64U * 32U);
     double column = 0;
     for (std::size_t block = 0; block < 32; ++block) {

@@ -3,7 +3,7 @@
 
 #include "core/image/read_picture.h"
 
-#include <cstring>
+#include <span>
 
 #include <gtest/gtest.h>
 
@@ -32,9 +32,8 @@ ByteImage displayed() {
 }
 
 std::vector<std::byte> bytesOf(const std::string& text) {
-    std::vector<std::byte> bytes(text.size());
-    std::memcpy(bytes.data(), text.data(), text.size());
-    return bytes;
+    const auto bytes = std::as_bytes(std::span(text));
+    return {bytes.begin(), bytes.end()};
 }
 
 TEST(ReadPicture, ReadsRadianceBackAsItWasWritten) {
