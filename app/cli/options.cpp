@@ -77,6 +77,9 @@ void addPicture(CLI::App& app, PictureOptions& options) {
         ->type_name("K");
     addMachine(app, options);
     addSetting(app, options, "seed", "N", "start of the random numbers");
+    addSetting(app, options, "fault", "NAME[,NAME]", "well-known mistakes to show, such as moller-trumbore");
+    addSetting(app, options, "epsilon", "E", "what the fault global-epsilon skips of a ray");
+    addSetting(app, options, "precision", "NAME", "float or double formulas of faults");
     addSetting(app, options, "exposure", "EV", "brightness shown, in stops");
     addSetting(app, options, "tonemap", "NAME", "none, clamp, reinhard or aces");
 }

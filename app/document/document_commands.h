@@ -22,7 +22,7 @@ std::span<const DocumentCommand> documentCommands();
 bool isDocumentCommand(std::string_view name);
 
 // By noun, one file each.
-std::span<const DocumentCommand> renderingCommands(); // set step
+std::span<const DocumentCommand> renderingCommands(); // set toggle adjust step fault
 std::span<const DocumentCommand> cameraCommands();    // camera orbit pan dolly fly frame
 std::span<const DocumentCommand> objectCommands();    // select object move
 std::span<const DocumentCommand> lightCommands();     // light add-light remove-light ambient environment

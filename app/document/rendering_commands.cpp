@@ -58,10 +58,19 @@ void adjust(Document& document, const Command& command) {
     document = changed;
 }
 
+/// One mistake on or off; the setting of that name says all at once.
+void fault(Document& document, const Command& command) {
+    command.allowOnly({"name", "on"});
+    const Fault fault = faultNamed(command.required("name"));
+    FaultSet& faults = document.render.trace.faults;
+    faults.set(fault, command.flag("on").value_or(!faults.has(fault)));
+}
+
 constexpr std::array kCommands = {
     DocumentCommand{"set", "key=value …", "Changes settings.", set},
     DocumentCommand{"toggle", "key=KEY", "Switches a setting on or off.", toggle},
     DocumentCommand{"adjust", "key=KEY by=N", "Adds to a setting.", adjust},
+    DocumentCommand{"fault", "name=NAME on=on|off", "Makes a well-known mistake, or no longer.", fault},
     DocumentCommand{"step", "n=1…4", "Phong; and shadow rays; and reflection; and transmission.", step},
 };
 

@@ -79,6 +79,13 @@ struct Fov {
     }
 };
 
+struct Faults {
+    static std::string get(const Document& d) { return toText(d.render.trace.faults); }
+    static void set(Document& d, const Command& c, std::string_view key) {
+        d.render.trace.faults = faultsNamed(c.required(key));
+    }
+};
+
 template <class S>
 constexpr Setting entry(std::string_view key, std::string_view help) {
     return {key, help, S::get, S::set};
@@ -94,6 +101,8 @@ constexpr auto diffuse = [](auto& d) -> auto& { return d.render.trace.diffuse; }
 constexpr auto sampler = [](auto& d) -> auto& { return d.render.trace.sampler; };
 constexpr auto fresnel = [](auto& d) -> auto& { return d.render.trace.fresnel; };
 constexpr auto glassShadows = [](auto& d) -> auto& { return d.render.trace.glassShadows; };
+constexpr auto epsilon = [](auto& d) -> auto& { return d.render.trace.epsilon; };
+constexpr auto precision = [](auto& d) -> auto& { return d.render.trace.precision; };
 constexpr auto lens = [](auto& d) -> auto& { return d.camera.lensRadius; };
 constexpr auto focus = [](auto& d) -> auto& { return d.camera.focusDistance; };
 constexpr auto samples = [](auto& d) -> auto& { return d.render.stop.samples; };
@@ -138,6 +147,10 @@ constexpr std::array kSettings = {
     entry<Choice<accel, kAccelNames>>("accel", "index that finds hits: auto, brute (force) or bvh2"),
     entry<Integer<threads, 0, 1024>>("threads", "threads that trace; 0 is one per core"),
     entry<Integer<seed, 0, 2147483647>>("seed", "start of the addressed random numbers"),
+    entry<Faults>("fault", "mistakes to show, with commas between; none is as well as is known"),
+    entry<Number<epsilon, 0, 1>>("epsilon", "what the fault global-epsilon skips of a ray: 0 to 1"),
+    entry<Choice<precision, kPrecisionNames>>("precision",
+                                              "of the textbook formulas of faults: float or double"),
 };
 
 }

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <string_view>
 
+#include "core/base/fault.h"
 #include "core/base/sampling.h"
 
 namespace eyeray {
@@ -29,6 +30,10 @@ inline constexpr std::array<std::string_view, 2> kFresnelModeNames = {"exact", "
 enum class GlassShadows : std::uint8_t { OpaqueOnly, Straight, AllBlock };
 inline constexpr std::array<std::string_view, 3> kGlassShadowNames = {"opaque", "straight", "all"};
 
+/// Of the textbook formulas that faults bring in.
+enum class Precision : std::uint8_t { Float, Double };
+inline constexpr std::array<std::string_view, 2> kPrecisionNames = {"float", "double"};
+
 inline constexpr int kMaxDepth = 64;
 
 struct TraceSettings {
@@ -39,6 +44,10 @@ struct TraceSettings {
     FresnelMode fresnel = FresnelMode::Exact;
     GlassShadows glassShadows = GlassShadows::Straight;
     Sampler sampler = Sampler::Sobol; // of distributed and path, but for the place in the pixel
+
+    FaultSet faults;       // empty: everything is done as well as is known
+    float epsilon = 1e-4F; // metres or parts of a ray that Fault::GlobalEpsilon skips. 0 to 1
+    Precision precision = Precision::Float;
 
     friend bool operator==(const TraceSettings&, const TraceSettings&) = default;
 };
