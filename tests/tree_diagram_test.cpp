@@ -196,7 +196,7 @@ TEST(TreeDiagram, ChildrenStandToTheRightAndEdgesEndAtTheirBoxes) {
 
 TEST(Svg, EscapesWhatXmlReservesAndDropsControlCharacters) {
     Svg svg(10, 10, 0xffffff);
-    svg.text({1, 2}, "a<b & c>d\n", {});
+    svg.text({1, 2}, "a<b & c>d\a", {});
     EXPECT_NE(svg.file().find(">a&lt;b &amp; c&gt;d</text>"), std::string::npos) << svg.file();
 }
 

@@ -5,24 +5,10 @@
 #include <array>
 
 #include "core/scene/base64.h"
+#include "core/study/markup.h"
 
 namespace eyeray {
 namespace {
-
-std::string escaped(std::string_view text) {
-    std::string result;
-    for (const char c : text) {
-        if (c == '<')
-            result += "&lt;";
-        else if (c == '>')
-            result += "&gt;";
-        else if (c == '&')
-            result += "&amp;";
-        else if (static_cast<unsigned char>(c) >= 0x20)
-            result += c;
-    }
-    return result;
-}
 
 std::string attributes(const Svg::Stroke& stroke) {
     std::string result = fmt::format(R"(stroke="#{:06x}" stroke-width="{:.4g}")", stroke.color, stroke.width);
@@ -87,11 +73,32 @@ void Svg::curve(std::span<const Vec2, 4> p, const Stroke& stroke) {
 
 void Svg::text(Vec2 at, std::string_view text, const Font& font) {
     constexpr std::array kAnchors = {"start", "middle", "end"};
+    std::string style = font.bold ? " font-weight=\"bold\"" : "";
+    if (font.halo)
+        style += fmt::format(
+            R"( stroke="#{:06x}" stroke-width="{:.4g}" stroke-linejoin="round" paint-order="stroke")",
+            *font.halo, font.size / 4);
+    if (font.upward) style += fmt::format(" transform=\"rotate(-90 {:.2f} {:.2f})\"", at.x, at.y);
     body_ +=
         fmt::format(R"(<text x="{:.2f}" y="{:.2f}" font-size="{:.4g}" fill="#{:06x}" text-anchor="{}"{}>)"
                     "{}</text>\n",
-                    at.x, at.y, font.size, font.color, kAnchors[static_cast<std::size_t>(font.anchor)],
-                    font.bold ? " font-weight=\"bold\"" : "", escaped(text));
+                    at.x, at.y, font.size, font.color, kAnchors[static_cast<std::size_t>(font.anchor)], style,
+                    escaped(text));
+}
+
+void Svg::described(std::string_view hover, const std::function<void()>& draw) {
+    body_ += fmt::format("<g><title>{}</title>\n", escaped(hover));
+    draw();
+    body_ += "</g>\n";
+}
+
+void Svg::twinColors(std::span<const std::array<std::uint32_t, 2>> lightAndDark) {
+    body_ += "<style>@media screen and (prefers-color-scheme: dark) {\n";
+    for (const auto& [light, dark] : lightAndDark)
+        body_ += fmt::format(
+            "svg [fill=\"#{0:06x}\"]{{fill:#{1:06x}}} svg [stroke=\"#{0:06x}\"]{{stroke:#{1:06x}}}\n", light,
+            dark);
+    body_ += "}</style>\n";
 }
 
 }

@@ -2,8 +2,11 @@
 // Scalable Vector Graphics 1.1, as much as diagrams and charts need. Lengths are in the picture's own unit, y
 // down.
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -27,6 +30,8 @@ public:
         std::uint32_t color = 0;
         Anchor anchor = Anchor::Start;
         bool bold = false;
+        std::optional<std::uint32_t> halo = {}; // around the letters, over what lies below
+        bool upward = false;                    // read from below to above
     };
 
     Svg(float width, float height, std::uint32_t paper);
@@ -41,6 +46,11 @@ public:
     void curve(std::span<const Vec2, 4> points, const Stroke&);
     /// `at` is on the base line. Any text; what XML reserves is escaped.
     void text(Vec2 at, std::string_view text, const Font&);
+
+    /// What `draw` adds; a browser shows `hover` while the pointer is on it.
+    void described(std::string_view hover, const std::function<void()>& draw);
+    /// Where a reader prefers dark screens, the second colour of a pair takes the first one's place.
+    void twinColors(std::span<const std::array<std::uint32_t, 2>> lightAndDark);
 
     /// The whole file.
     std::string file() const { return body_ + "</svg>\n"; }
