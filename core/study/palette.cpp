@@ -16,6 +16,14 @@ std::uint32_t colorOfBox(SpaceBox::Role role, bool dark) {
     return (dark ? kOnDark : kOnLight)[static_cast<std::size_t>(role)];
 }
 
+std::uint32_t colorOfSeries(int number, bool dark) {
+    constexpr std::array<std::uint32_t, kSeriesColors> kOnDark = {0x56b4e9, 0xff8f4d, 0x3fd0a0,
+                                                                  0xd98cc0, 0xf0e442, 0xb4bacb};
+    constexpr std::array<std::uint32_t, kSeriesColors> kOnLight = {0x0072b2, 0xc24a00, 0x00805d,
+                                                                   0xa8488f, 0x8a7d01, 0x5d6578};
+    return (dark ? kOnDark : kOnLight)[static_cast<std::size_t>(number) % kSeriesColors];
+}
+
 std::uint32_t shownColor(const Color& radiance, const DisplaySettings& settings) {
     std::array<Rgba8, 1> shown;
     display(std::span(&radiance, 1), settings, shown);

@@ -17,6 +17,10 @@ std::uint32_t colorOfKind(RayKind, bool dark);
 /// Of boxes of the index, likewise.
 std::uint32_t colorOfBox(SpaceBox::Role, bool dark);
 
+/// Of the lines of a chart, likewise: so many that are told apart, then again from the first.
+inline constexpr std::size_t kSeriesColors = 6;
+std::uint32_t colorOfSeries(int number, bool dark);
+
 /// Radiance as displayed: 0xrrggbb.
 std::uint32_t shownColor(const Color& radiance, const DisplaySettings&);
 
