@@ -106,7 +106,7 @@ TEST(Triangle, AnySizeIsHit) {
         ASSERT_TRUE(hit) << exponent;
         EXPECT_EQ(hit->t, static_cast<float>(size));
         EXPECT_EQ(hit->u, 0.25F);
-        const SurfacePoint point = surfaceAt(mesh, *hit);
+        const SurfacePoint point = surfaceAt(mesh, Vec3(0, 0, -1), *hit);
         EXPECT_EQ(point.geometricNormal, Vec3(0, 0, 1));
         EXPECT_EQ(point.position, Vec3(0.25 * size, 0.25 * size, 0));
     }
@@ -164,7 +164,7 @@ TEST(Triangle, SliversAndExtremeSizesHaveUnitNormals) {
         const double size = std::exp2(random.below(100) - 50), width = std::exp2(-random.below(24));
         const DVec3 a = random.inCube(size), along = size * random.direction();
         const TriangleMesh mesh = triangle(a, a + along, a + 0.5 * along + width * random.inCube(size));
-        const SurfacePoint point = surfaceAt(mesh, Hit{.t = 1, .u = 0.3F, .v = 0.3F});
+        const SurfacePoint point = surfaceAt(mesh, Vec3(0, 0, -1), Hit{.t = 1, .u = 0.3F, .v = 0.3F});
         const double length = glm::length(DVec3(point.geometricNormal));
         const DVec3 b(mesh.positions[1]), c(mesh.positions[2]), o(mesh.positions[0]);
         const bool line = glm::cross(b - o, c - o) == DVec3(0);
@@ -182,7 +182,7 @@ TEST(Triangle, PositionLiesInItsPlaneWithinTheErrorBound) {
             triangle(at + random.inCube(scale), at + random.inCube(scale), at + random.inCube(scale));
         const auto u = static_cast<float>(random.uniform(0, 0.5)),
                    v = static_cast<float>(random.uniform(0, 0.5));
-        const SurfacePoint point = surfaceAt(mesh, Hit{.t = 1, .u = u, .v = v});
+        const SurfacePoint point = surfaceAt(mesh, Vec3(0, 0, -1), Hit{.t = 1, .u = u, .v = v});
         const DVec3 a(mesh.positions[0]), b(mesh.positions[1]), c(mesh.positions[2]);
         const DVec3 n = glm::normalize(glm::cross(b - a, c - a));
         const double off = std::fabs(glm::dot(n, DVec3(point.position) - a));
@@ -197,7 +197,7 @@ TEST(Triangle, ShadingNormalUvAndColourAreInterpolated) {
     mesh.colors = {Vec4(1, 0, 0, 1), Vec4(0, 1, 0, 1), Vec4(0, 0, 1, 0)};
     const Hit hit{.t = 1, .u = 0.25F, .v = 0.5F};
     const DVec3 expected = glm::normalize(DVec3(0.15, 0.3, 0.85));
-    EXPECT_LT(glm::length(DVec3(surfaceAt(mesh, hit).shadingNormal) - expected), 1e-7);
+    EXPECT_LT(glm::length(DVec3(surfaceAt(mesh, Vec3(0, 0, -1), hit).shadingNormal) - expected), 1e-7);
     EXPECT_EQ(textureCoordinates(mesh, hit, 1), Vec2(0.25F, 1));
     EXPECT_EQ(textureCoordinates(mesh, hit, 0), Vec2(0));
     EXPECT_EQ(vertexColor(mesh, hit), Vec4(0.25F, 0.25F, 0.5F, 0.5F));
@@ -208,11 +208,12 @@ TEST(Triangle, UselessVertexNormalsGiveWayToTheGeometricOne) {
     TriangleMesh mesh = kUnit;
     const Hit hit{.t = 1, .u = 0.25F, .v = 0.5F};
     mesh.normals.assign(3, Vec3(0));
-    EXPECT_EQ(surfaceAt(mesh, hit).shadingNormal, Vec3(0, 0, 1));
+    EXPECT_EQ(surfaceAt(mesh, Vec3(0, 0, -1), hit).shadingNormal, Vec3(0, 0, 1));
     mesh.normals.assign(3, Vec3(std::nanf("")));
-    EXPECT_EQ(surfaceAt(mesh, hit).shadingNormal, Vec3(0, 0, 1));
+    EXPECT_EQ(surfaceAt(mesh, Vec3(0, 0, -1), hit).shadingNormal, Vec3(0, 0, 1));
     mesh.normals.assign(3, Vec3(0, 0, -1));
-    EXPECT_EQ(surfaceAt(mesh, hit).shadingNormal, Vec3(0, 0, 1)) << "on the triangle's own side";
+    EXPECT_EQ(surfaceAt(mesh, Vec3(0, 0, -1), hit).shadingNormal, Vec3(0, 0, 1))
+        << "on the triangle's own side";
 }
 
 // Contracted to fused multiply-add, neither would hold, and neighbours would disagree about their edge (F19).

@@ -96,10 +96,10 @@ template <class Index>
 SurfacePoint surfaceAt(const IndexedGeometry<Index>& geometry, const Ray& ray, const Hit& hit) {
     const Instance<Index>& instance = geometry.instances[hit.instance];
     const TriangleMesh* mesh = meshOf(geometry, hit);
-    const SurfacePoint point = mesh != nullptr ? surfaceAt(*mesh, hit)
-                                               : surfaceAt(*std::get_if<Shape>(&instance.geometry),
-                                                           instance.placement.toObject(ray), hit);
-    return instance.placement.toWorld(point);
+    const Ray local = instance.placement.toObject(ray);
+    return instance.placement.toWorld(mesh != nullptr
+                                          ? surfaceAt(*mesh, local.direction, hit)
+                                          : surfaceAt(*std::get_if<Shape>(&instance.geometry), local, hit));
 }
 
 template <class Index>

@@ -168,7 +168,7 @@ HWY_INLINE void eachInstance(IntLanes instances, FloatMask asked, const Each& ea
 template <class Index>
 HWY_INLINE SurfaceLanes surfacesAt(const IndexedGeometry<Index>& geometry, const RayLanes& rays,
                                    const HitLanes& hits, FloatMask asked) {
-    SurfaceLanes result{all(Vec3(0)), all(Vec3(0)), all(Vec3(0)), all(Vec3(0))};
+    SurfaceLanes result{all(Vec3(0)), all(Vec3(0)), all(Vec3(0)), all(Vec3(0)), all(Vec3(0))};
     eachInstance(hits.instance, asked, [&](std::uint32_t id, FloatMask lanes) HWY_ATTR {
         const Instance<Index>& instance = geometry.instances[id];
         const Shape* shape = std::get_if<Shape>(&instance.geometry);
@@ -196,6 +196,7 @@ HWY_INLINE SurfaceLanes surfacesAt(const IndexedGeometry<Index>& geometry, const
         result.error = select(lanes, here.error, result.error);
         result.geometricNormal = select(lanes, here.geometricNormal, result.geometricNormal);
         result.shadingNormal = select(lanes, here.shadingNormal, result.shadingNormal);
+        result.lift = select(lanes, here.lift, result.lift);
     });
     return result;
 }

@@ -17,6 +17,21 @@ DVec3 faceNormal(const TriangleMesh& mesh, std::uint32_t triangle) {
     return safeNormalize(glm::cross(DVec3(mesh.positions[b]) - origin, DVec3(mesh.positions[c]) - origin));
 }
 
+// To the planes through the corners across their normals, those of them that lie where the normals point, or
+// else behind.
+DVec3 liftOf(const TriangleMesh& mesh, const DVec3& position, bool outward, const Hit& hit) {
+    const auto& corners = mesh.triangles[hit.primitive];
+    const double u = hit.u, v = hit.v;
+    const std::array<double, 3> weights = {1.0 - u - v, u, v};
+    DVec3 lift(0);
+    for (std::size_t i = 0; i < 3; ++i) {
+        const DVec3 normal(mesh.normals[corners[i]]);
+        const double height = glm::dot(DVec3(mesh.positions[corners[i]]) - position, normal);
+        if ((height > 0) == outward) lift += weights[i] * height * normal;
+    }
+    return lift;
+}
+
 }
 
 TriangleCorners cornersOf(const TriangleMesh& mesh, std::uint32_t triangle) {
@@ -31,13 +46,16 @@ std::optional<Hit> intersectTriangle(const TriangleMesh& mesh, std::uint32_t tri
     return hit;
 }
 
-SurfacePoint surfaceAt(const TriangleMesh& mesh, const Hit& hit) {
-    SurfacePoint point =
-        surfacePoint(interpolate<DVec3>(mesh, mesh.positions, hit), faceNormal(mesh, hit.primitive));
+SurfacePoint surfaceAt(const TriangleMesh& mesh, const Vec3& direction, const Hit& hit) {
+    const DVec3 position = interpolate<DVec3>(mesh, mesh.positions, hit);
+    SurfacePoint point = surfacePoint(position, faceNormal(mesh, hit.primitive));
     if (mesh.normals.empty()) return point;
     const Vec3 shading(safeNormalize(interpolate<DVec3>(mesh, mesh.normals, hit)));
-    if (shading != Vec3(0))
-        point.shadingNormal = glm::dot(shading, point.geometricNormal) < 0 ? -shading : shading;
+    if (shading == Vec3(0)) return point;
+    const bool agree = glm::dot(shading, point.geometricNormal) >= 0;
+    const bool front = glm::dot(point.geometricNormal, direction) <= 0;
+    point.shadingNormal = agree ? shading : -shading;
+    point.lift = Vec3(liftOf(mesh, position, front == agree, hit));
     return point;
 }
 

@@ -33,8 +33,10 @@ TriangleCorners cornersOf(const TriangleMesh&, std::uint32_t triangle);
 std::optional<Hit> intersectTriangle(const TriangleMesh&, std::uint32_t triangle, const RayShear&,
                                      const Ray&);
 
-/// The surface at a hit, in object space: position by barycentric weights, with its error bound.
-SurfacePoint surfaceAt(const TriangleMesh&, const Hit&);
+/// The surface at a hit of a ray of this direction, in object space: position by barycentric weights, with
+/// its error bound. It is lifted to the planes through the corners across their normals, weighed alike:
+/// Hanika 2021, "Hacking the Shadow Terminator", Ray Tracing Gems II, chapter 4.
+SurfacePoint surfaceAt(const TriangleMesh&, const Vec3& direction, const Hit&);
 
 /// Interpolated texture coordinates of one set; (0, 0) if the mesh has none.
 Vec2 textureCoordinates(const TriangleMesh&, const Hit&, int set);

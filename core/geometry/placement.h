@@ -42,6 +42,7 @@ public:
         world.geometricNormal = normal(point.geometricNormal);
         world.shadingNormal = point.shadingNormal == point.geometricNormal ? world.geometricNormal
                                                                            : normal(point.shadingNormal);
+        world.lift = objectToWorld_.linear * point.lift;
         return world;
     }
 

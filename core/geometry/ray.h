@@ -32,6 +32,8 @@ struct SurfacePoint {
     Vec3 geometricNormal{
         0}; // unit, the surface's own side: outward for solids, counter-clockwise for triangles
     Vec3 shadingNormal{0}; // unit, interpolated where a mesh has normals; else the geometric one
+    Vec3 lift{0}; // from the position to the rounded surface that the shading normals of a mesh stand for,
+                  // where that lies on the side from which the ray came
 };
 
 /// The surface at a point known in double: all the error is that of rounding to float.

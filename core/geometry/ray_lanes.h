@@ -40,20 +40,21 @@ struct ShapeHitLanes {
 
 /// As SurfacePoint.
 struct SurfaceLanes {
-    Vec3Lanes position, error, geometricNormal, shadingNormal;
+    Vec3Lanes position, error, geometricNormal, shadingNormal, lift;
 };
 
 struct SurfaceSpread {
-    Spread3 position, error, geometricNormal, shadingNormal;
+    Spread3 position, error, geometricNormal, shadingNormal, lift;
 
     void set(std::size_t lane, const SurfacePoint& p) {
         position.set(lane, p.position), error.set(lane, p.error);
         geometricNormal.set(lane, p.geometricNormal), shadingNormal.set(lane, p.shadingNormal);
+        lift.set(lane, p.lift);
     }
     SurfaceLanes gathered() const {
         namespace here = eyeray::HWY_NAMESPACE;
         return {here::gathered(position), here::gathered(error), here::gathered(geometricNormal),
-                here::gathered(shadingNormal)};
+                here::gathered(shadingNormal), here::gathered(lift)};
     }
 };
 
@@ -109,7 +110,7 @@ HWY_INLINE Vec3Lanes normalToWorld(const Placement& placement, const Vec3Lanes& 
     return narrow(mapped / hn::Sqrt(dot(mapped, mapped)));
 }
 
-/// `point` has one normal for both uses.
+/// `point` has one normal for both uses, and no lift.
 HWY_INLINE SurfaceLanes toWorld(const Placement& placement, const SurfaceLanes& point) {
     const Affine& map = placement.objectToWorld();
     SurfaceLanes world;
@@ -126,6 +127,7 @@ HWY_INLINE SurfaceLanes toWorld(const Placement& placement, const SurfaceLanes& 
     }
     world.geometricNormal = normalToWorld(placement, point.geometricNormal);
     world.shadingNormal = world.geometricNormal;
+    world.lift = all(Vec3(0));
     return world;
 }
 
@@ -221,7 +223,7 @@ inline ShapeHitLanes intersect(const Cylinder& cylinder, const RayLanes& rays) {
 /// The surface at hits of this shape; all in object space.
 HWY_INLINE SurfaceLanes surfaceAt(const DVec3Lanes& position, const Vec3Lanes& normal) {
     const Vec3Lanes p = narrow(position);
-    return {p, abs(p) * all(gammaBound(1)), normal, normal};
+    return {p, abs(p) * all(gammaBound(1)), normal, normal, all(Vec3(0))};
 }
 
 /// As pointAtHit in solid.h.

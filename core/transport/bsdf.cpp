@@ -47,8 +47,11 @@ bool Bsdf::has(RayKind lobe) const {
 BsdfValue Bsdf::eval(RayKind lobe, const Vec3& direction) const {
     const Vec3 wi = toLocal(direction);
     const bool reflects = lobe != RayKind::Refraction;
-    if (!has(lobe) || !sameSide(direction, reflects)) return {};
-    if (lobe == RayKind::Diffuse) return {body_ * bodyUnder(wi.z) / kPi, wi.z / kPi, diffuseChance_};
+    const bool reached = sameSide(direction, reflects), lit = reflects && wi.z > 0;
+    if (!has(lobe) || !(reached || lit)) return {};
+    const float sampled = reached ? 1 : 0;
+    if (lobe == RayKind::Diffuse)
+        return {body_ * bodyUnder(wi.z) / kPi, sampled * wi.z / kPi, diffuseChance_};
     if (isDelta(lobe)) return {};
 
     const Vec3 h = microNormalOf(reflects, wi);
@@ -58,7 +61,7 @@ BsdfValue Bsdf::eval(RayKind lobe, const Vec3& direction) const {
     const float pdfW = ggx_.visibleDensity(wo_, h) * jacobian(reflects, wi, h);
     const float seen = ggx_.maskingShadowing(wo_, wi) / ggx_.masking(wo_);
     return {.f = (reflects ? shares.reflected : shares.refracted) * (seen * pdfW / std::fabs(wi.z)),
-            .pdfW = pdfW,
+            .pdfW = sampled * pdfW,
             .probability = chance(lobe, shares)};
 }
 

@@ -44,7 +44,8 @@ class Bsdf {
 public:
     Bsdf(const PhysicalSurface&, const BsdfPlace&);
 
-    /// What one lobe says of a unit direction.
+    /// What one lobe says of a unit direction. Where the normals of a mesh call a facet lit that faces away,
+    /// light is reflected, but sample() does not lead there: pdfW is 0.
     BsdfValue eval(RayKind lobe, const Vec3& wi) const;
 
     /// A direction of one lobe, from u in [0, 1)²; nothing where it sends no light on. `weight` may be black.

@@ -16,7 +16,7 @@ float specularLobe(const ShadingPoint& p, const Vec3& wi) {
 
 LocalTerms localModel(const ShadingPoint& p, const Vec3& wi) {
     const float cosine = glm::dot(p.normal, wi);
-    if (!(cosine > 0) || !(glm::dot(p.geometricNormal, wi) > 0)) return {};
+    if (!(cosine > 0)) return {};
     LocalTerms terms{.diffuse = p.surface->diffuse * cosine};
     if (!isBlack(p.surface->specular)) terms.specular = p.surface->specular * specularLobe(p, wi);
     return terms;

@@ -132,7 +132,7 @@ Color directLight(SampleState<Index, Recorder>& state, const ShadingPoint& p, co
             continue;
         }
         ++state.counts[RayKind::Shadow];
-        const Ray ray{spawnOrigin(p.at, sample->wi), sample->wi, 0, sample->distance * kBeforeLamp};
+        const Ray ray{shadowOrigin(p, sample->wi), sample->wi, 0, sample->distance * kBeforeLamp};
         term.visibility = detail::visibility<F>(state, ray, from.media);
         term.radiance = unblocked * term.visibility;
         radiance += term.radiance;

@@ -111,7 +111,7 @@ Color physicalLight(SampleState<Index, Recorder>& state, const PhysicalPoint& po
             continue;
         }
         ++state.counts[RayKind::Shadow];
-        const Ray ray{spawnOrigin(point.p.at, lamp->wi), lamp->wi, 0,
+        const Ray ray{shadowOrigin(point.p, lamp->wi), lamp->wi, 0,
                       lamp->distance * detail::shareOfWay(emitter)};
         Rule::template block<F>(state, point, from, emitter, ray, lamp->distance, term);
         term.radiance = (term.diffuse + term.specular) * term.irradiance * term.visibility;

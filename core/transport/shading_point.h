@@ -25,6 +25,13 @@ struct ShadingPoint {
     const Surface* surface; // of the World, or what the caller holds
 };
 
+/// Where a shadow ray towards the unit direction wi starts: on this side of the surface, lifted to the
+/// rounded one that a mesh stands for, so that no facet shades what its normals call lit.
+inline Vec3 shadowOrigin(const ShadingPoint& p, const Vec3& wi) {
+    if (!(glm::dot(p.normal, wi) > 0)) return spawnOrigin(p.at, wi);
+    return spawnOrigin(p.at, p.geometricNormal) + p.at.lift;
+}
+
 /// The point that `hit` of `ray` (of unit direction) describes. `own` is to live as long: it holds the
 /// surface of a material that varies.
 template <Features F, class Index>

@@ -35,6 +35,11 @@ HWY_INLINE ShadingLanes shadingOf(const SurfaceLanes& at, const Vec3Lanes& direc
     return p;
 }
 
+/// As shadowOrigin, towards what is on this side of the surface.
+HWY_INLINE Vec3Lanes shadowOrigin(const ShadingLanes& p) {
+    return spawnOrigin(p.at, p.geometricNormal) + p.at.lift;
+}
+
 /// As Surface, of materials that differ in nothing but their colours' values.
 struct MaterialLanes {
     Vec3Lanes ambient, diffuse, specular;
@@ -140,7 +145,7 @@ inline Vec3Lanes localModel(const ShadingLanes& p, const MaterialLanes& m, const
     const FloatTag f;
     const auto zero = hn::Zero(f);
     const auto cosine = dot(p.normal, wi);
-    const auto lit = hn::And(hn::And(cosine > zero, dot(p.geometricNormal, wi) > zero), asked);
+    const auto lit = hn::And(cosine > zero, asked);
     const Vec3Lanes diffuse = m.diffuse * cosine;
     Vec3Lanes specular = all(Color(0));
     const auto shiny = hn::And(lit, notBlack(m.specular));

@@ -160,6 +160,7 @@ private:
                           const MediumLanes& media) {
         const FloatTag f;
         Vec3Lanes radiance = m.emission + m.ambient * all(world_.scene->ambient);
+        const Vec3Lanes origin = shadowOrigin(p);
         for (const WorldLight& light : context_.lights) {
             const LightLanes sample = sampleLight(light, p.at.position);
             auto asked = hn::And(batch.active, sample.shines);
@@ -168,8 +169,7 @@ private:
             asked = hn::And(asked, notBlack(arriving));
             if (hn::AllFalse(f, asked)) continue;
             if (context_.settings.shadows) {
-                const RayLanes rays{spawnOrigin(p.at, sample.wi), sample.wi, all(0.0F),
-                                    sample.distance * all(kBeforeLamp)};
+                const RayLanes rays{origin, sample.wi, all(0.0F), sample.distance * all(kBeforeLamp)};
                 counts_[RayKind::Shadow] += hn::CountTrue(f, asked);
                 arriving = arriving * visibility(context_, geometry_, glass_, rays, asked, media);
             }
