@@ -1,0 +1,124 @@
+#include "core/study/experiment.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+#include "core/study/log_fit.h"
+
+namespace eyeray {
+namespace {
+
+template <class Names, class Value>
+std::string_view nameIn(const Names& names, Value value) {
+    return names[static_cast<std::size_t>(value)];
+}
+
+bool hasRecursion(Method method) { return method != Method::Local && method != Method::Cast; }
+
+/// What means nothing to the method as in all settings of that method.
+ExperimentSetting normalised(ExperimentSetting setting) {
+    const TraceSettings usual;
+    TraceSettings& trace = setting.trace;
+    if (!hasRecursion(trace.method)) {
+        trace.maxDepth = usual.maxDepth;
+        trace.cutoff = usual.cutoff;
+    }
+    if (!isPhysical(trace.method)) trace.sampler = usual.sampler;
+    if (trace.method == Method::Local) trace.glassShadows = usual.glassShadows;
+    return setting;
+}
+
+}
+
+std::vector<ExperimentSetting> combinations(const ExperimentGrid& grid, const TraceSettings& base) {
+    std::vector<ExperimentSetting> all;
+    const auto add = [&](ExperimentSetting setting) {
+        setting = normalised(std::move(setting));
+        if (std::ranges::find(all, setting) == all.end()) all.push_back(std::move(setting));
+    };
+    ExperimentSetting next{base, {}};
+    for (const Method method : grid.methods)
+        for (const int depth : grid.depths)
+            for (const float cutoff : grid.cutoffs)
+                for (const Sampler sampler : grid.samplers)
+                    for (const GlassShadows shadows : grid.glassShadows)
+                        for (const AccelKind accel : grid.accels) {
+                            next.trace.method = method;
+                            next.trace.maxDepth = depth;
+                            next.trace.cutoff = cutoff;
+                            next.trace.sampler = sampler;
+                            next.trace.glassShadows = shadows;
+                            next.accel = accel;
+                            add(next);
+                        }
+    return all;
+}
+
+std::string labelOf(const ExperimentSetting& setting, const ExperimentGrid& grid) {
+    const TraceSettings& trace = setting.trace;
+    std::string label(nameIn(kMethodNames, trace.method));
+    const bool recursive = hasRecursion(trace.method);
+    if (grid.depths.size() > 1 && recursive) label += fmt::format(" d{}", trace.maxDepth);
+    if (grid.cutoffs.size() > 1 && recursive) label += fmt::format(" c{}", trace.cutoff);
+    if (grid.samplers.size() > 1 && isPhysical(trace.method))
+        label += fmt::format(" {}", nameIn(kSamplerNames, trace.sampler));
+    if (grid.glassShadows.size() > 1 && trace.method != Method::Local)
+        label += fmt::format(" {}", nameIn(kGlassShadowNames, trace.glassShadows));
+    if (grid.accels.size() > 1) label += fmt::format(" {}", nameIn(kAccelNames, setting.accel));
+    return label;
+}
+
+TraceSettings modelOf(const ExperimentSetting& setting) {
+    TraceSettings model = setting.trace;
+    model.sampler = TraceSettings{}.sampler;
+    return model;
+}
+
+TraceSettings fullestModel(const TraceSettings& base) {
+    TraceSettings model;
+    model.method = Method::Path;
+    model.maxDepth = kMaxDepth;
+    model.cutoff = 0;
+    model.glassShadows = base.glassShadows;
+    return model;
+}
+
+Spread spreadOf(std::vector<double> values) {
+    const double nan = std::numeric_limits<double>::quiet_NaN();
+    if (values.empty() || std::ranges::any_of(values, [](double v) { return std::isnan(v); }))
+        return {nan, nan, nan};
+    std::ranges::sort(values);
+    const std::size_t middle = values.size() / 2;
+    const double median =
+        values.size() % 2 == 1 ? values[middle] : std::midpoint(values[middle - 1], values[middle]);
+    return {median, values.front(), values.back()};
+}
+
+Spread ExperimentPoint::seconds() const {
+    std::vector<double> values;
+    for (const Repeat& repeat : repeats) values.push_back(repeat.seconds);
+    return spreadOf(std::move(values));
+}
+
+Spread ExperimentPoint::error(ErrorAgainst against, ErrorMetric metric) const {
+    std::vector<double> values;
+    for (const Repeat& repeat : repeats)
+        values.push_back((against == ErrorAgainst::Limit ? repeat.toLimit : repeat.toFullest)[metric]);
+    return spreadOf(std::move(values));
+}
+
+std::optional<double> samplingSlope(const Experiment& experiment, std::size_t curve, ErrorMetric metric) {
+    std::vector<double> samples, errors;
+    for (const ExperimentPoint& point : experiment.points) {
+        if (point.curve != curve || point.repeats.empty()) continue;
+        samples.push_back(point.samples);
+        errors.push_back(point.error(ErrorAgainst::Limit, metric).median);
+    }
+    return fittedSlope(samples, errors);
+}
+
+}
