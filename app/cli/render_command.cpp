@@ -153,7 +153,7 @@ std::optional<RenderStatus> renderPicture(RenderJob& job, const RenderOptions& o
     const ColorImage image = session.image();
     if (image.empty()) return std::nullopt;
     meterExposure(job, image);
-    writePicture(options.output, image, job.document.render.display, stateOf(job));
+    writePicture(options.output, image, shownDisplay(job.document.render), stateOf(job));
     return status;
 }
 

@@ -90,7 +90,7 @@ std::optional<RenderStatus> renderLayers(RenderJob& job, const RenderOptions& op
         writeLayers(options.output, images, stateOf(job));
         return status;
     }
-    writeLayer(options.output, images.front(), job.document.render.display, stateOf(job));
+    writeLayer(options.output, images.front(), shownDisplay(job.document.render), stateOf(job));
     if (hasRange(layers.front().quantity) && !holdsRadiance(formatOf(options.output)))
         fmt::print(stderr, "eyeray: {}\n", rangeText(images.front(), rangeOf(images.front())));
     return status;

@@ -57,11 +57,11 @@ void CompareView::refresh(const Viewer& viewer) {
     const Document& document = viewer.document();
     const Comparison& comparison = document.comparison;
     if (const RenderSession* const session = viewer.comparison().session())
-        other_.refresh(*session, otherSide(document).render.display);
+        other_.refresh(*session, shownDisplay(otherSide(document).render));
     const auto& change = viewer.comparison().change();
     if (!comparison.difference || !change) return;
     const auto gain = static_cast<float>(comparison.gain);
-    const DisplaySettings& display = document.render.display;
+    const DisplaySettings display = shownDisplay(document.render);
     if (change == change_ && gain == differenceGain_ && display == differenceDisplay_) return;
     change_ = change;
     differenceGain_ = gain;

@@ -16,7 +16,8 @@ void GridView::refresh(const Viewer& viewer, bool dark) {
     std::vector<Color> radiance;
     for (const GridPixel& pixel : player.traced()) radiance.push_back(pixel.radiance);
     ByteImage image(player.grid().columns, player.grid().rows, dark ? kEmptyDark : kEmptyLight);
-    display(radiance, viewer.document().render.display, std::span(image.values()).first(radiance.size()));
+    display(radiance, shownDisplay(viewer.document().render),
+            std::span(image.values()).first(radiance.size()));
     if (image == shown_) return;
     shown_ = std::move(image);
     texture_.upload(shown_);

@@ -50,7 +50,7 @@ void LayerView::refresh(const Viewer& viewer) {
         film_ = nullptr;
         return;
     }
-    const DisplaySettings& settings = viewer.document().render.display;
+    const DisplaySettings settings = shownDisplay(viewer.document().render);
     const bool same = film == film_ && film->passes() == image_.samples && settings == display_;
     if (same) return;
     film_ = film;

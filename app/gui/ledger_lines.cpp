@@ -213,7 +213,7 @@ private:
 }
 
 void swatch(const Widgets& ui, const Color& radiance) {
-    const DisplaySettings& display = ui.viewer.document().render.display;
+    const DisplaySettings display = shownDisplay(ui.viewer.document().render);
     const float side = ImGui::GetTextLineHeight();
     const ImVec2 corner = ImGui::GetCursorScreenPos(), opposite{corner.x + side, corner.y + side};
     ImGui::Dummy({side, side});

@@ -12,7 +12,7 @@ constexpr float kTall = 24; // letters: a picture that more words leave in sight
 
 void PhotonView::refresh(const Viewer& viewer) {
     const auto& picture = viewer.photons().picture();
-    const DisplaySettings& settings = viewer.document().render.display;
+    const DisplaySettings settings = shownDisplay(viewer.document().render);
     if (picture == picture_ && settings == display_) return;
     picture_ = picture;
     display_ = settings;

@@ -80,7 +80,7 @@ void PictureView::refresh(const Widgets& ui) {
     if (playsGrid_) grid_.refresh(ui.viewer, ui.dark);
     photons_.refresh(ui.viewer);
     const Comparison& comparison = ui.viewer.document().comparison;
-    film_.refresh(ui.viewer.session(), ui.viewer.document().render.display);
+    film_.refresh(ui.viewer.session(), shownDisplay(ui.viewer.document().render));
     layer_.refresh(ui.viewer);
     const bool comparesRaster = comparison.on && comparison.isRasterised();
     if (rasterised_ || comparesRaster) raster_.refresh(ui.viewer);

@@ -6,7 +6,7 @@ namespace eyeray {
 
 void RasterView::refresh(const Viewer& viewer) {
     const Document& document = viewer.document();
-    const DrawnFor now{viewer.world(), document.camera, viewer.pictureSize(), document.render.display};
+    const DrawnFor now{viewer.world(), document.camera, viewer.pictureSize(), shownDisplay(document.render)};
     if (!now.world || now == drawnFor_) return;
     if (!rasteriser_) rasteriser_.emplace(gl_);
     radiance_ = std::make_shared<const ColorImage>(

@@ -154,7 +154,7 @@ private:
         const float side = kSwatch * letter_, y = hi.y - (node.height * letter_ + side) / 2;
         const ImVec2 corner{hi.x - side - 1.3F * kPadding * letter_, y},
             opposite = corner + ImVec2{side, side};
-        const DisplaySettings& display = ui_.viewer.document().render.display;
+        const DisplaySettings display = shownDisplay(ui_.viewer.document().render);
         list_->AddRectFilled(corner, opposite,
                              ImGui::GetColorU32(fromHex(shownColor(node.radiance, display))),
                              0.15F * letter_);

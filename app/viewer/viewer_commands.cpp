@@ -46,13 +46,13 @@ void savePicture(Viewer& viewer, const fs::path& file) {
         image = picture.radiance;
     }
     if (image.empty()) throw InputError(file.string(), "there is no picture yet", "wait a moment");
-    writePicture(file, image, viewer.document().render.display, viewer.pictureState());
+    writePicture(file, image, shownDisplay(viewer.document().render), viewer.pictureState());
 }
 
 void saveLayer(Viewer& viewer, const fs::path& file) {
     const auto& film = viewer.layers().film();
     if (!film) throw InputError(file.string(), "the layer is not there yet", "wait a moment");
-    writeLayer(file, film->image(0), viewer.document().render.display, viewer.pictureState());
+    writeLayer(file, film->image(0), shownDisplay(viewer.document().render), viewer.pictureState());
 }
 
 /// What is shown: the picture, or the layer of it.

@@ -89,9 +89,9 @@ void Viewer::compareWith(std::shared_ptr<const ColorImage> rasterised) {
 }
 
 bool Viewer::updateComparison() {
-    const DisplaySettings& display = document().render.display;
-    const bool measured =
-        comparison_.update(*session_, display, compared_ ? otherSide(document()).render.display : display);
+    const DisplaySettings display = shownDisplay(document().render);
+    const bool measured = comparison_.update(
+        *session_, display, compared_ ? shownDisplay(otherSide(document()).render) : display);
     if (measured && !compared_ && !rasterised_) {
         report(Notice::Kind::Done, switchText(lastSwitch_, *comparison_.change()) + "; D shows them");
         comparison_.stop(*session_);

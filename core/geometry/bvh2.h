@@ -36,8 +36,8 @@ public:
 
     /// Calls test(slot) for the entries whose boxes the ray may meet at t in [tMin, limit], roughly from near
     /// to far, until it returns true; whether it did. `limit` may shrink meanwhile. `log`: Watched if it is
-    /// to be put down.
-    template <class Test, class Log = Unwatched>
+    /// to be put down. `Slab`: the test of boxes.
+    template <class Slab = RaySlab, class Test, class Log = Unwatched>
     bool visit(const Ray& ray, const float& limit, Test&& test, Log log = {}) const;
 
     /// Which box each slot stands for.
@@ -57,10 +57,10 @@ private:
     std::vector<std::uint32_t> entries_;
 };
 
-template <class Test, class Log>
+template <class Slab, class Test, class Log>
 bool Bvh2::visit(const Ray& ray, const float& limit, Test&& test, Log log) const {
     if (nodes_.empty()) return false;
-    const RaySlab slab(ray, bounds_);
+    const Slab slab(ray, bounds_);
     const bool meets = slab.enter(nodes_[0].corners, limit) != kInfinity;
     log.boxes(BoxTests::kRoot, 1, meets ? 1U : 0U);
     if (!meets) return false;

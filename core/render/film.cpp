@@ -8,6 +8,13 @@
 namespace eyeray {
 namespace {
 
+/// The sum of `count` samples whose mean is a multiple of 1/255.
+DVec3 roundedMean(const DVec3& sum, int count) {
+    constexpr double kCodes = 255;
+    return glm::round(glm::clamp(sum / static_cast<double>(count), 0.0, 1.0) * kCodes) / kCodes *
+           static_cast<double>(count);
+}
+
 std::uint64_t nextFilmId() {
     static std::atomic<std::uint64_t> id = 0;
     return ++id;
@@ -31,7 +38,8 @@ Film::Film(int width, int height) : width_(width), height_(height), id_(nextFilm
             tiles_.push_back({{x, y, std::min(x + kTileSize, width), std::min(y + kTileSize, height), 1}});
 }
 
-void Film::reset() {
+void Film::reset(bool eightBit) {
+    eightBit_ = eightBit;
     for (TileState& state : tiles_) {
         state.passes = 0;
         ++state.version;
@@ -56,6 +64,7 @@ void Film::add(int tileIndex, const TileResult& result, int pass) {
             const Color& sample = result.radiance[next++];
             const double luma = luminance(DVec3(sample));
             sums_[now][i] = pass == 0 ? DVec3(sample) : sums_[before][i] + DVec3(sample);
+            if (eightBit_) sums_[now][i] = roundedMean(sums_[now][i], pass + 1);
             squares_[now][i] = pass == 0 ? luma * luma : squares_[before][i] + luma * luma;
             shown_.at(x, y) = Color(sums_[now][i] / static_cast<double>(pass + 1));
         }

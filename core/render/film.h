@@ -36,8 +36,9 @@ public:
     /// Throws Failure if there is no memory for it.
     Film(int width, int height);
 
-    /// Forgets all passes, for a new picture of the same size. Not while others use the film.
-    void reset();
+    /// Forgets all passes, for a new picture of the same size. Not while others use the film. `eightBit`:
+    /// keep the running mean in 8 bits a channel, as Fault::EightBit has it.
+    void reset(bool eightBit = false);
 
     int width() const { return width_; }
     int height() const { return height_; }
@@ -84,6 +85,7 @@ private:
     static constexpr std::size_t kMutexes = 64;
     int width_, height_;
     std::uint64_t id_;
+    bool eightBit_ = false;
     // Not initialised: the first pass writes before anything reads, and a page that is not needed is not
     // touched.
     std::array<std::unique_ptr<DVec3[]>, 2> sums_;

@@ -179,15 +179,17 @@ std::optional<Retrace> RenderSession::retrace(int x, int y, int pass) const {
 }
 
 /// A film that no picture uses any more, or a new one.
-std::shared_ptr<Film> RenderSession::freeFilm(int width, int height) {
+std::shared_ptr<Film> RenderSession::freeFilm(int width, int height, bool eightBit) {
     std::erase_if(films_,
                   [&](const auto& film) { return film->width() != width || film->height() != height; });
     for (const auto& film : films_)
         if (film.use_count() == 1) {
-            film->reset();
+            film->reset(eightBit);
             return film;
         }
-    return films_.emplace_back(std::make_shared<Film>(width, height));
+    films_.push_back(std::make_shared<Film>(width, height));
+    films_.back()->reset(eightBit);
+    return films_.back();
 }
 
 void RenderSession::coordinate(const std::stop_token& end) {
@@ -222,7 +224,8 @@ void RenderSession::coordinate(const std::stop_token& end) {
 }
 
 void RenderSession::run(const std::shared_ptr<Job>& job) {
-    job->film = freeFilm(job->settings.width, job->settings.height);
+    job->film =
+        freeFilm(job->settings.width, job->settings.height, job->settings.trace.faults.has(Fault::EightBit));
     job->order = tilesFrom(*job->film, job->focus);
     job->tilesInAll = job->film->tiles();
     const int step = coarseStep(job->settings);

@@ -95,7 +95,7 @@ private:
     bool tracePass(Job&, int pass);
     bool waitWhileHeld(Job&);
     bool finished(Job&);
-    std::shared_ptr<Film> freeFilm(int width, int height);
+    std::shared_ptr<Film> freeFilm(int width, int height, bool eightBit);
 
     ThreadPool pool_;
     DVec2 focus_{-1};

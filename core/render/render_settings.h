@@ -32,4 +32,11 @@ struct RenderSettings {
     friend bool operator==(const RenderSettings&, const RenderSettings&) = default;
 };
 
+/// How the picture is shown: `display`, without the sRGB curve under Fault::NoGamma.
+inline DisplaySettings shownDisplay(const RenderSettings& settings) {
+    DisplaySettings display = settings.display;
+    if (settings.trace.faults.has(Fault::NoGamma)) display.toneMap = ToneMap::None;
+    return display;
+}
+
 }

@@ -1,6 +1,7 @@
 #pragma once
 // Light that reaches a point straight from the lamps: the taught local models, and the shadow rays.
 
+#include "core/transport/faults.h"
 #include "core/transport/lights.h"
 #include "core/transport/optics.h"
 #include "core/transport/ray_counts.h"
@@ -19,7 +20,8 @@ struct LocalTerms {
 /// The taught local models: radiance towards wo for normal irradiance π from the unit direction wi; black
 /// where wi is behind the surface. Phong 1975, "Illumination for Computer Generated Pictures"; Blinn 1977,
 /// "Models of Light Reflection for Computer Synthesized Pictures".
-LocalTerms localModel(const ShadingPoint&, const Vec3& wi);
+template <class Faults>
+LocalTerms localModel(const ShadingPoint&, const Vec3& wi, Faults);
 
 /// A ray to be traced, and its place in the tree.
 struct TreeRay {
@@ -43,6 +45,14 @@ struct SampleState {
     Recorder& recorder;
     SampleAddress address;
     int treeNodes = 0;
+
+    FaultsOf<Index> faults() const { return FaultsOf<Index>(context.settings.faults); }
+
+    /// The sample's number for a purpose at a node of its tree, in [0, 1)².
+    Vec2 random(std::uint32_t node, SamplePurpose purpose) const {
+        if (faults().has(Fault::BadSeeding)) return badlySeeded(address, context.width, node, purpose);
+        return sample2(context.settings.sampler, address, node, purpose);
+    }
 };
 
 inline constexpr float kBeforeLamp = 1 - 1e-6F; // of the way to a lamp a shadow ray goes
@@ -99,7 +109,11 @@ template <Features F, class Index, class Recorder>
 Color directLight(SampleState<Index, Recorder>& state, const ShadingPoint& p, const TreeRay& from,
                   int record) {
     const TraceContext& context = state.context;
+    const auto faults = state.faults();
     Color radiance = p.surface->emission + p.surface->ambient * context.world->scene->ambient;
+    if (faults.has(Fault::AmbientPerLight))
+        for (std::size_t i = 1; i < context.lights.size(); ++i)
+            radiance += p.surface->ambient * context.world->scene->ambient;
     for (const WorldLight& light : context.lights) {
         const auto note = [&]([[maybe_unused]] LampTerm term) {
             if constexpr (Recorder::kOn) {
@@ -113,7 +127,7 @@ Color directLight(SampleState<Index, Recorder>& state, const ShadingPoint& p, co
             note({.state = LampTerm::State::OutOfReach});
             continue;
         }
-        const LocalTerms local = localModel(p, sample->wi);
+        const LocalTerms local = localModel(p, sample->wi, faults);
         const Color irradiance = sample->irradiance / kPi;
         const Color unblocked = local.sum() * irradiance;
         LampTerm term{.wi = sample->wi,
@@ -132,7 +146,8 @@ Color directLight(SampleState<Index, Recorder>& state, const ShadingPoint& p, co
             continue;
         }
         ++state.counts[RayKind::Shadow];
-        const Ray ray{shadowOrigin(p, sample->wi), sample->wi, 0, sample->distance * kBeforeLamp};
+        const Ray ray{shadowOrigin(p, sample->wi), sample->wi, 0,
+                      faults.has(Fault::ShadowNoTmax) ? kInfinity : sample->distance * kBeforeLamp};
         term.visibility = detail::visibility<F>(state, ray, from.media);
         term.radiance = unblocked * term.visibility;
         radiance += term.radiance;

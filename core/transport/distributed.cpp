@@ -45,8 +45,7 @@ public:
 private:
     Color sent(RayKind lobe, const PhysicalRay& ray, const PhysicalPoint& point, const Bsdf& bsdf,
                const Color& weight, int record) {
-        const auto sample = bsdf.sample(lobe, sample2(state_.context.settings.sampler, state_.address,
-                                                      keyOfNext(ray, lobe), SamplePurpose::Direction));
+        const auto sample = bsdf.sample(lobe, state_.random(keyOfNext(ray, lobe), SamplePurpose::Direction));
         if (!sample || !(maxComponent(sample->weight) > 0)) return Color(0);
         const Color left = weight * sample->weight;
         auto reason = reasonNotToTrace(state_, ray, *sample);

@@ -3,6 +3,7 @@
 
 #include <optional>
 
+#include "core/transport/faults.h"
 #include "core/transport/shading_point.h"
 #include "core/transport/trace_context.h"
 
@@ -37,6 +38,8 @@ Interface interfaceAt(const World&, const ShadingPoint&, const MediumStack&);
 /// Mirror and refraction directions and their shares. η is that of the media on both sides, by the side that
 /// was hit; a surface without inside (a plane) is a thin pane that bends nothing. Reflections stay on the
 /// geometric side of wo.
-NextRays nextRays(const World&, const TraceSettings&, const ShadingPoint&, const MediumStack&);
+template <class Faults = NoFaults>
+NextRays nextRays(const World&, const TraceSettings&, const ShadingPoint&, const MediumStack&,
+                  Faults faults = {});
 
 }

@@ -47,7 +47,7 @@ private:
         if (!reason && (ray.scattered || !sample->delta) && ray.tree.depth + 1 >= kRouletteDepth) {
             const float survival = std::min(maxComponent(weight * share), kMostSurvival);
             if (random(ray.key, SamplePurpose::Roulette).x < survival)
-                share /= survival;
+                share /= state_.faults().has(Fault::RouletteUnweighted) ? 1 : survival;
             else
                 reason = UntracedRay::Reason::Roulette;
         }
@@ -64,9 +64,7 @@ private:
         return share * trace(next);
     }
 
-    Vec2 random(std::uint32_t key, SamplePurpose purpose) const {
-        return sample2(state_.context.settings.sampler, state_.address, key, purpose);
-    }
+    Vec2 random(std::uint32_t key, SamplePurpose purpose) const { return state_.random(key, purpose); }
 
     SampleState<Index, Recorder>& state_;
 };

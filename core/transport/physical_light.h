@@ -87,9 +87,7 @@ Color physicalLight(SampleState<Index, Recorder>& state, const PhysicalPoint& po
                 state.recorder.record.lamps.push_back(term);
             }
         };
-        const auto lamp =
-            sampleEmitter(emitter, point.p.at.position,
-                          sample2(context.settings.sampler, state.address, key, SamplePurpose::Lamp));
+        const auto lamp = sampleEmitter(emitter, point.p.at.position, state.random(key, SamplePurpose::Lamp));
         if (!lamp) {
             note({.state = LampTerm::State::OutOfReach});
             continue;

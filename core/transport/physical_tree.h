@@ -13,8 +13,7 @@ PhysicalRay firstRay(const SampleState<Index, Recorder>& state, const Ray& eyeRa
     const TraceContext& context = state.context;
     PhysicalRay first{.tree = {.ray = eyeRay, .media = context.eyeMedia}};
     if (context.eyeRays.hasLens())
-        first.tree.ray = context.eyeRays.fromLens(
-            eyeRay, sample2(context.settings.sampler, state.address, 0, SamplePurpose::Lens));
+        first.tree.ray = context.eyeRays.fromLens(eyeRay, state.random(0, SamplePurpose::Lens));
     return first;
 }
 
@@ -67,6 +66,7 @@ Color physicalRadiance(SampleState<Index, Recorder>& state, const PhysicalRay& r
         if constexpr (Recorder::kOn) state.recorder.at(record).background = radiance;
     }
     radiance *= transmitted;
+    if (state.faults().has(Fault::EarlyClamp)) radiance = glm::clamp(radiance, 0.0F, 1.0F);
     if constexpr (Recorder::kOn) state.recorder.at(record).radiance = radiance;
     return radiance;
 }

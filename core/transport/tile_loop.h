@@ -8,6 +8,17 @@
 
 namespace eyeray {
 
+/// The ray through a sample's place in its pixel.
+template <class Index, class Recorder>
+Ray eyeRayOf(const SampleState<Index, Recorder>& state) {
+    const auto faults = state.faults();
+    const TraceContext& context = state.context;
+    const int x = static_cast<int>(state.address.x), y = static_cast<int>(state.address.y);
+    Vec2 inPixel = pixelSample(state.address);
+    if (faults.has(Fault::CornerSampling)) inPixel -= Vec2(0.5F);
+    return context.eyeRays.through(x, faults.has(Fault::FlippedRows) ? context.height - 1 - y : y, inPixel);
+}
+
 /// An Integrator from a method: a type with
 /// `template <Features F, class Index, class Recorder> static Color radiance(SampleState<Index, Recorder>&,
 /// const Ray& eyeRay)`. One with a member kByStreams has renderByStreams for a fast twin.
@@ -16,7 +27,8 @@ class TiledIntegrator final : public Integrator {
 public:
     TileResult renderTile(const TraceContext& context, const Tile& tile, int pass) const override {
         if constexpr (requires { Method::kByStreams; })
-            if (auto streamed = renderByStreams(context, tile, pass)) return *std::move(streamed);
+            if (!context.textbook)
+                if (auto streamed = renderByStreams(context, tile, pass)) return *std::move(streamed);
         TileResult result{.tile = tile, .radiance = {}, .counts = {}};
         specialised(context, [&]<Features F>(const auto& geometry) {
             NoRecorder recorder;
@@ -62,6 +74,9 @@ public:
 private:
     template <class Body>
     static void specialised(const TraceContext& context, const Body& body) {
+        if (context.textbook)
+            return body.template operator()<Features{.varying = true, .transparent = true}>(
+                *context.textbook);
         const SceneNeeds& needs = context.world->needs;
         std::visit(
             [&](const auto& geometry) {
@@ -83,8 +98,7 @@ private:
         const SampleAddress address{context.seed, static_cast<std::uint32_t>(x),
                                     static_cast<std::uint32_t>(y), static_cast<std::uint32_t>(pass)};
         SampleState<Index, Recorder> state{context, geometry, counts, recorder, address};
-        const Color radiance =
-            Method::template radiance<F>(state, context.eyeRays.through(x, y, pixelSample(address)));
+        const Color radiance = Method::template radiance<F>(state, eyeRayOf(state));
         counts.truncatedSamples += state.treeNodes > kMaxTreeNodes ? 1 : 0;
         if (isFinite(radiance)) return radiance;
         ++counts.invalidSamples;

@@ -42,10 +42,12 @@ TraceSettings withoutNeedless(TraceSettings settings, const SceneNeeds& needs) {
 
 }
 
-EyeRays::EyeRays(const Camera& camera, const DVec3& origin, int width, int height)
+EyeRays::EyeRays(const Camera& camera, const DVec3& origin, int width, int height, FaultSet faults)
     : eye_(camera.eye - origin), width_(static_cast<float>(width)), height_(static_cast<float>(height)) {
     const CameraAxes axes = axesOf(camera);
-    const DVec2 half = imagePlaneHalfExtents(camera.verticalFov, static_cast<double>(width) / height);
+    const double fov = faults.has(Fault::DegreesAsRadians) ? degrees(camera.verticalFov) : camera.verticalFov;
+    DVec2 half = imagePlaneHalfExtents(fov, static_cast<double>(width) / height);
+    if (faults.has(Fault::HorizontalFov)) half *= static_cast<double>(height) / width;
     right_ = Vec3(axes.right * half.x);
     up_ = Vec3(axes.up * half.y);
     forward_ = Vec3(-axes.backward);
@@ -72,9 +74,13 @@ TraceContext::TraceContext(std::shared_ptr<const World> traced, const Camera& ca
                            const TraceSettings& asked, int w, int h, std::uint32_t seed_,
                            std::stop_token stop_)
     : world(std::move(traced)), settings(withoutNeedless(asked, world->needs)), width(w), height(h),
-      seed(seed_), stop(std::move(stop_)), eyeRays(camera, world->origin, w, h),
+      seed(seed_), stop(std::move(stop_)), eyeRays(camera, world->origin, w, h, settings.faults),
       lights(lightsFor(*world, camera)),
       emitters(isPhysical(settings.method) ? Emitters(*world, camera) : Emitters()),
-      eyeMedia(mediaAround(*world, Vec3(camera.eye - world->origin))) {}
+      eyeMedia(mediaAround(*world, Vec3(camera.eye - world->origin))),
+      textbook(settings.faults.empty()
+                   ? nullptr
+                   : textbookGeometry(*world->accel, world->origin, settings.faults, settings.epsilon,
+                                      settings.precision == Precision::Double)) {}
 
 }

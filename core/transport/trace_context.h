@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/base/sampling.h"
+#include "core/geometry/textbook_geometry.h"
 #include "core/scene/camera.h"
 #include "core/scene/world.h"
 #include "core/transport/emitters.h"
@@ -18,7 +19,7 @@ namespace eyeray {
 /// Rays of a camera, relative to the World's origin.
 class EyeRays {
 public:
-    EyeRays(const Camera&, const DVec3& origin, int width, int height);
+    EyeRays(const Camera&, const DVec3& origin, int width, int height, FaultSet = {});
 
     /// Ray through `inPixel` ∈ [0, 1)² of pixel (x, y); unit direction. The centre of pixel i lies at
     /// a·tan(fov/2)·(2i + 1 − w)/w, exactly antisymmetric about the middle of the picture.
@@ -48,8 +49,9 @@ struct TraceContext {
     std::stop_token stop;
     EyeRays eyeRays;
     std::vector<WorldLight> lights;
-    Emitters emitters;    // of physical methods
-    MediumStack eyeMedia; // what the eye is inside of
+    Emitters emitters;                                // of physical methods
+    MediumStack eyeMedia;                             // what the eye is inside of
+    std::shared_ptr<const TextbookGeometry> textbook; // traced in the place of the World's, if not null
 };
 
 }

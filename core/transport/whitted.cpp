@@ -23,7 +23,7 @@ private:
         const TraceSettings& settings = state_.context.settings;
         const bool goesOn = p.surface->reflects() || p.surface->transmits();
         if (!goesOn || (!Recorder::kOn && ray.depth >= settings.maxDepth)) return Color(0);
-        const NextRays next = nextRays(*state_.context.world, settings, p, ray.media);
+        const NextRays next = nextRays(*state_.context.world, settings, p, ray.media, state_.faults());
         const float cosine = glm::dot(p.normal, p.wo);
         Color radiance(0);
         const Color reflected = weight * next.reflectedShare;
