@@ -72,5 +72,49 @@ TEST(WaterAgainstGlass, BendsByTheirRatioModelledOverlapping) {
     }
 }
 
+TEST(WaterAgainstGlass, BendsByTheirRatioWhereTheirFacesCoincide) {
+    const double outside = 48.590378;
+    for (const bool glassFirst : {true, false}) {
+        const auto angles = anglesThrough(glassOverWater(0, glassFirst), outside);
+        ASSERT_GE(angles.size(), 3U);
+        EXPECT_NEAR(angles[1], 30, 0.01);
+        EXPECT_NEAR(angles[2], 34.33, 0.01) << "glass to water";
+        EXPECT_NEAR(angles.back(), outside, 0.01);
+    }
+}
+
+/// A hollow ball of glass, full of water whose facets are those of the glass, or reach a little `into` it.
+Scene fullBall(float into, bool glassFirst) {
+    TriangleMesh shell = cases::closedMesh(20, 30, 1);
+    const TriangleMesh inner = cases::closedMesh(20, 30, 0.8);
+    const auto first = static_cast<std::uint32_t>(shell.positions.size());
+    shell.positions.insert(shell.positions.end(), inner.positions.begin(), inner.positions.end());
+    for (const auto& [a, b, c] : inner.triangles)
+        shell.triangles.push_back({first + a, first + c, first + b});
+
+    Scene scene = underSky(Color(1));
+    scene.environment = {Color(0.2F, 0.3F, 0.4F), Color(0.9F, 0.8F, 0.6F), Color(0.1F, 0.6F, 0.2F)};
+    const auto addGlass = [&] { add(scene, shell, glass(1.5F, Color(0.95F, 1, 0.97F))); };
+    if (glassFirst) addGlass();
+    add(scene, inner, glass(1.33F, Color(0.9F, 0.95F, 1), Color(0.3F, 0.1F, 0.05F)),
+        glm::scale(DMat4(1), DVec3(1 + into)));
+    if (!glassFirst) addGlass();
+    look(scene, {0, 0.3, 4}, {0, 0, 0}, 35);
+    return scene;
+}
+
+TEST(WaterAgainstGlass, LooksTheSameCoincidingAndOverlapping) {
+    for (const bool glassFirst : {true, false}) {
+        const auto coinciding = Tracing(fullBall(0, glassFirst), toDepth(8), 64, 64).radiance();
+        const auto overlapping = Tracing(fullBall(1e-4F, glassFirst), toDepth(8), 64, 64).radiance();
+        double difference = 0, sum = 0;
+        for (std::size_t i = 0; i < coinciding.size(); ++i) {
+            difference += glm::length(DVec3(coinciding[i]) - DVec3(overlapping[i]));
+            sum += glm::length(DVec3(overlapping[i]));
+        }
+        EXPECT_LT(difference, 0.01 * sum) << glassFirst;
+    }
+}
+
 }
 }

@@ -63,6 +63,10 @@ template <class Index>
 std::shared_ptr<const IndexedMesh<Index>> indexMesh(std::shared_ptr<const TriangleMesh>,
                                                     const std::stop_token&);
 
+/// The world box of a placed object.
+template <class Index>
+Bounds boundsOf(const Instance<Index>&);
+
 /// Top level over placed objects; those whose box is empty or not a number are never hit.
 template <class Index>
 IndexedGeometry<Index> indexInstances(std::vector<Instance<Index>>, const std::stop_token&);

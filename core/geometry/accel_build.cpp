@@ -55,6 +55,11 @@ std::shared_ptr<const IndexedMesh<Index>> indexMesh(std::shared_ptr<const Triang
 }
 
 template <class Index>
+Bounds boundsOf(const Instance<Index>& instance) {
+    return instance.placement.worldBounds(std::visit(ObjectBounds<Index>{}, instance.geometry));
+}
+
+template <class Index>
 IndexedGeometry<Index> indexInstances(std::vector<Instance<Index>> instances, const std::stop_token& stop) {
     IndexedGeometry<Index> result;
     std::vector<Bounds> boxes;
@@ -62,8 +67,7 @@ IndexedGeometry<Index> indexInstances(std::vector<Instance<Index>> instances, co
     std::unordered_set<const IndexedMesh<Index>*> counted;
     for (std::uint32_t i = 0; i < instances.size(); ++i) {
         if (unbounded(instances[i])) result.always.push_back(i);
-        boxes.push_back(
-            instances[i].placement.worldBounds(std::visit(ObjectBounds<Index>{}, instances[i].geometry)));
+        boxes.push_back(boundsOf(instances[i]));
         if (boxes.back().finite() && !boxes.back().empty()) bounded.push_back(i);
         const auto* mesh = std::get_if<1>(&instances[i].geometry);
         result.shapesOnly &= mesh == nullptr;
@@ -88,6 +92,9 @@ template std::shared_ptr<const IndexedMesh<Bvh2>> indexMesh(std::shared_ptr<cons
                                                             const std::stop_token&);
 template std::shared_ptr<const IndexedMesh<Bvh8>> indexMesh(std::shared_ptr<const TriangleMesh>,
                                                             const std::stop_token&);
+template Bounds boundsOf(const Instance<BruteForce>&);
+template Bounds boundsOf(const Instance<Bvh2>&);
+template Bounds boundsOf(const Instance<Bvh8>&);
 template IndexedGeometry<BruteForce> indexInstances(std::vector<Instance<BruteForce>>,
                                                     const std::stop_token&);
 template IndexedGeometry<Bvh2> indexInstances(std::vector<Instance<Bvh2>>, const std::stop_token&);

@@ -3,6 +3,8 @@
 #include <type_traits>
 #include <unordered_map>
 
+#include "core/scene/touching_glass.h"
+
 namespace eyeray {
 namespace {
 
@@ -67,6 +69,9 @@ public:
             Overloaded{[&](MeshId mesh) { return !at(scene_.meshes, mesh.index).triangles->colors.empty(); },
                        [](ShapeId) { return false; }},
             object.geometry);
+        if (material.transmits && solid(object))
+            glass_.push_back(
+                {static_cast<std::uint32_t>(instances_.size()), relativeTo(world_.origin, object.transform)});
         place(object.transform, geometryOf(object),
               material.transmits ? RayMask::Transparent : RayMask::Opaque,
               {.material = static_cast<std::uint32_t>(object.material),
@@ -100,6 +105,7 @@ public:
     }
 
     std::shared_ptr<const Accel> finish() {
+        joinTouchingGlass(instances_, glass_, stop_);
         auto geometry = indexInstances<Index>(std::move(instances_), stop_);
         world_.primitives = geometry.primitives;
         world_.bytes = geometry.bytes;
@@ -142,6 +148,7 @@ private:
     std::stop_token stop_;
     MeshMap meshes_;
     std::vector<Instance<Index>> instances_;
+    std::vector<GlassSolid> glass_;
 };
 
 struct LampEmission {
