@@ -14,11 +14,17 @@ namespace {
 
 constexpr int kWidth = 192, kHeight = 144;
 
+TraceSettings methodOnly(Method method) {
+    TraceSettings settings;
+    settings.method = method;
+    return settings;
+}
+
 /// A scene drawn and traced, pixel by pixel.
 struct Both {
     explicit Both(const std::string& name, int width = kWidth, int height = kHeight)
         : document(openScene(name).document), world(buildWorld(document.scene, {})),
-          context(world, document.camera, {.method = Method::Local}, width, height, 0, {}),
+          context(world, document.camera, methodOnly(Method::Local), width, height, 0, {}),
           drawn(Rasteriser(platform.gl()).draw(world, document.camera, width, height)) {
         const auto local = makeIntegrator(Method::Local);
         const DVec3 forward = -axesOf(document.camera).backward;
@@ -122,7 +128,7 @@ TEST(Rasteriser, DrawsShapesNearlyAsTheTracerSeesThem) {
 
 TEST(Rasteriser, KnowsNoShadows) {
     const Both both("shadows");
-    const TraceContext withShadows(both.world, both.document.camera, {.method = Method::Cast}, kWidth,
+    const TraceContext withShadows(both.world, both.document.camera, methodOnly(Method::Cast), kWidth,
                                    kHeight, 0, {});
     const auto cast = makeIntegrator(Method::Cast);
     int shadowed = 0;

@@ -16,11 +16,13 @@ constexpr float kParallel = 0.999F; // cosine between faces that lie in the same
 
 Bounds common(const Bounds& a, const Bounds& b) { return {glm::max(a.lo, b.lo), glm::min(a.hi, b.hi)}; }
 
-float reachOf(const Bounds& box) {
-    return kReach * std::max(maxComponent(glm::abs(box.lo)), maxComponent(glm::abs(box.hi)));
+/// More than rounding moves a face, per axis: a turned object mixes the axes' errors.
+template <class Index>
+Vec3 reachOf(const Instance<Index>& instance) {
+    const Bounds box = boundsOf(instance);
+    const Vec3 farthest = glm::max(glm::abs(box.lo), glm::abs(box.hi));
+    return kReach * (instance.placement.translates() ? farthest : Vec3(maxComponent(farthest)));
 }
-
-Bounds grown(const Bounds& box, float by) { return {box.lo - Vec3(by), box.hi + Vec3(by)}; }
 
 Vec3 onUnitSphere(std::uint32_t line, std::uint32_t end) {
     const float y = 1 - 2 * toUnitFloat(hashCombine(line, 2 * end));
@@ -41,9 +43,8 @@ Ray lineThrough(const Bounds& box, std::uint32_t line) {
 
 /// Whether the faces of two solids lie in the same place somewhere in the box.
 template <class Index>
-bool touch(const Instance<Index>& one, const Instance<Index>& other, const Bounds& box) {
+bool touch(const Instance<Index>& one, const Instance<Index>& other, const Bounds& box, const Vec3& reaches) {
     const auto a = indexInstances<Index>({one}, {}), b = indexInstances<Index>({other}, {});
-    const float reach = reachOf(box);
     for (std::uint32_t line = 0; line < kLines; ++line) {
         Ray ray = lineThrough(box, line);
         for (int i = 0; i < kMostHits; ++i) {
@@ -51,6 +52,7 @@ bool touch(const Instance<Index>& one, const Instance<Index>& other, const Bound
             if (!hit) break;
             const SurfacePoint point = surfaceAt(a, ray, *hit);
             const Vec3& normal = point.geometricNormal;
+            const float reach = glm::dot(glm::abs(normal), reaches);
             const Ray across{point.position + reach * normal, -normal, 0, 2 * reach};
             if (const auto near = closestHit(b, across)) {
                 const Vec3 otherNormal = surfaceAt(b, across, *near).geometricNormal;
@@ -63,10 +65,10 @@ bool touch(const Instance<Index>& one, const Instance<Index>& other, const Bound
 }
 
 template <class Index>
-void grow(Instance<Index>& instance, const DMat4& toWorld) {
+void grow(Instance<Index>& instance, const DMat4& toWorld, const Vec3& reaches) {
     const Bounds box = boundsOf(instance);
     const DVec3 center(box.center());
-    const DVec3 scale = DVec3(1) + 2.0 * reachOf(box) / DVec3(box.extent());
+    const DVec3 scale = DVec3(1) + 2.0 * DVec3(reaches) / DVec3(box.extent());
     DMat4 growth = glm::translate(DMat4(1), center);
     growth = glm::translate(glm::scale(growth, scale), -center);
     instance.placement = Placement(growth * toWorld);
@@ -84,9 +86,10 @@ void joinTouchingGlass(std::vector<Instance<Index>>& instances, const std::vecto
     std::vector<Candidate> candidates;
     for (const GlassSolid& solid : solids) {
         const Bounds box = boundsOf(instances[solid.instance]);
+        const Vec3 reach = reachOf(instances[solid.instance]);
         const Vec3 extent = box.extent();
         if (box.finite() && extent.x > 0 && extent.y > 0 && extent.z > 0)
-            candidates.push_back({&solid, grown(box, reachOf(box))});
+            candidates.push_back({&solid, {box.lo - reach, box.hi + reach}});
     }
     std::sort(candidates.begin(), candidates.end(), [](const Candidate& a, const Candidate& b) {
         return std::pair(a.box.lo.x, a.solid->instance) < std::pair(b.box.lo.x, b.solid->instance);
@@ -98,9 +101,10 @@ void joinTouchingGlass(std::vector<Instance<Index>>& instances, const std::vecto
             if (box.empty()) continue;
             if (++pairs > kPairs || stop.stop_requested()) return;
             Instance<Index>&one = instances[a->solid->instance], &other = instances[b->solid->instance];
-            if (!touch(one, other, box)) continue;
+            const Vec3 reaches = glm::max(reachOf(one), reachOf(other));
+            if (!touch(one, other, box, reaches)) continue;
             const bool first = a->box.halfArea() < b->box.halfArea();
-            grow(first ? one : other, (first ? a : b)->solid->toWorld);
+            grow(first ? one : other, (first ? a : b)->solid->toWorld, reaches);
         }
 }
 
