@@ -16,7 +16,7 @@ namespace {
 using namespace scenes;
 
 const ReferenceStore kNoStore = {[](const TraceSettings&) { return std::nullopt; },
-                                 [](const TraceSettings&, const Reference&) {}};
+                                 [](const TraceSettings&, const ReferenceHalves&) {}};
 
 /// Each sample of each pixel is white or black by a coin of its own: a half-covered pixel.
 class Coin : public Integrator {
@@ -155,14 +155,14 @@ TEST(Experiment, SetsEachPointBesideItsOwnLimitAndTheFullestModel) {
 
 TEST(Experiment, TakesKeptReferencesAndFindsTheSameErrors) {
     const ExperimentPlan plan = smallPlan();
-    std::vector<std::pair<TraceSettings, Reference>> kept;
+    std::vector<std::pair<TraceSettings, ReferenceHalves>> kept;
     const ReferenceStore store = {
-        [&](const TraceSettings& model) -> std::optional<Reference> {
-            for (const auto& [settings, reference] : kept)
-                if (settings == model) return reference;
+        [&](const TraceSettings& model) -> std::optional<ReferenceHalves> {
+            for (const auto& [settings, halves] : kept)
+                if (settings == model) return halves;
             return std::nullopt;
         },
-        [&](const TraceSettings& model, const Reference& reference) { kept.emplace_back(model, reference); }};
+        [&](const TraceSettings& model, const ReferenceHalves& halves) { kept.emplace_back(model, halves); }};
     ExperimentProgress progress;
     const auto first = runExperiment(plan, store, progress, {});
     ASSERT_EQ(kept.size(), 6U) << "the five, and the fullest model";

@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include "app/cli/csv.h"
 #include "app/cli/inspected.h"
 #include "core/study/ray_facts.h"
 #include "core/study/wording.h"
@@ -12,14 +13,6 @@ constexpr const char* kHeading =
     "medium,total_reflection,eta,incidence_deg,share_r,share_g,share_b,weight_r,weight_g,weight_b,"
     "transmitted_r,transmitted_g,transmitted_b,radiance_r,radiance_g,radiance_b,contribution_r,"
     "contribution_g,contribution_b,nodes,boxes,tests\n";
-
-/// RFC 4180.
-std::string quoted(const std::string& text) {
-    if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
-    std::string result = "\"";
-    for (const char c : text) result += c == '"' ? std::string("\"\"") : std::string(1, c);
-    return result + '"';
-}
 
 std::string triple(const Vec3& v) { return fmt::format("{},{},{}", v.x, v.y, v.z); }
 

@@ -3,9 +3,11 @@
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
+#include "app/cli/chart_lists.h"
 #include "app/document/scene_files.h"
 #include "core/base/errors.h"
 #include "core/render/render_settings.h"
+#include "core/study/picture_errors.h"
 
 namespace eyeray {
 namespace {
@@ -50,7 +52,7 @@ void addMachine(CLI::App& app, PictureOptions& options) {
     addSetting(app, options, "threads", "N", "threads that trace; 0 is one per core");
 }
 
-void addPicture(CLI::App& app, PictureOptions& options) {
+void addView(CLI::App& app, PictureOptions& options) {
     const auto side = CLI::Range(1, kMaxPictureSide);
     app.add_option("--width", options.width, "width of the picture in pixels")->check(side)->type_name("N");
     app.add_option("--height", options.height, "height of the picture in pixels")
@@ -61,12 +63,24 @@ void addPicture(CLI::App& app, PictureOptions& options) {
     addSetting(app, options, "fov", "DEG", "vertical field of view");
     addSetting(app, options, "lens", "R", "radius of the lens in metres; 0 is a pinhole");
     addSetting(app, options, "focus", "D", "distance in metres that is sharp; 0 is the target's");
-    addSetting(app, options, "method", "NAME", "local, cast, whitted, distributed or path");
-    addSetting(app, options, "max-depth", "D", "deepest rays: 0 is eye rays alone, up to 64");
-    addSetting(app, options, "cutoff", "C", "smallest contribution that is traced");
+    addSetting(app, options, "exposure", "EV", "brightness shown, in stops");
+    addSetting(app, options, "tonemap", "NAME", "none, clamp, reinhard or aces");
+}
+
+/// What is traced, but for what `chart` takes lists of.
+void addRays(CLI::App& app, PictureOptions& options) {
     for (const char* kind : {"shadows", "reflections", "refractions", "diffuse"})
         addSwitchOff(app, options, kind);
     addSetting(app, options, "fresnel", "NAME", "exact or constant weights at glass");
+    addSetting(app, options, "seed", "N", "start of the random numbers");
+}
+
+void addPicture(CLI::App& app, PictureOptions& options) {
+    addView(app, options);
+    addSetting(app, options, "method", "NAME", "local, cast, whitted, distributed or path");
+    addSetting(app, options, "max-depth", "D", "deepest rays: 0 is eye rays alone, up to 64");
+    addSetting(app, options, "cutoff", "C", "smallest contribution that is traced");
+    addRays(app, options);
     addSetting(app, options, "glass-shadows", "NAME", "shadow rays at glass: opaque, straight or all");
     addSetting(app, options, "sampler", "NAME", "independent, stratified or sobol random numbers");
     addStop(app, options, "samples", "N", "stop after N samples per pixel");
@@ -76,12 +90,37 @@ void addPicture(CLI::App& app, PictureOptions& options) {
         ->check(CLI::Range(0, kMostSamples))
         ->type_name("K");
     addMachine(app, options);
-    addSetting(app, options, "seed", "N", "start of the random numbers");
     addSetting(app, options, "fault", "NAME[,NAME]", "well-known mistakes to show, such as moller-trumbore");
     addSetting(app, options, "epsilon", "E", "what the fault global-epsilon skips of a ray");
     addSetting(app, options, "precision", "NAME", "float or double formulas of faults");
-    addSetting(app, options, "exposure", "EV", "brightness shown, in stops");
-    addSetting(app, options, "tonemap", "NAME", "none, clamp, reinhard or aces");
+}
+
+void addChart(CLI::App& app, ChartOptions& options) {
+    app.add_option("-o,--output", options.output, "folder to write to; made if it is not there")
+        ->required()
+        ->type_name("DIR");
+    for (const ChartList& list : kChartLists)
+        app.add_option(fmt::format("--{}", list.key), options.lists[std::string(list.key)],
+                       std::string(list.help))
+            ->type_name("A,B,…");
+    app.add_option("--repeats", options.repeats, "runs of each, with other random numbers")
+        ->check(CLI::Range(1, 99))
+        ->type_name("N");
+    app.add_option("--reference-samples", options.referenceSamples,
+                   "of the pictures taken as right; else 16 times the most samples")
+        ->check(CLI::Range(2, kMostSamples))
+        ->type_name("N");
+    app.add_option("--limit", options.limitSeconds, "seconds of tracing after which a point has failed")
+        ->check(CLI::Range(0.001, 1e6))
+        ->type_name("S");
+    app.add_option("--metric", options.metric,
+                   "error that is drawn: rmse, relmse, p95, shown-rmse, shown-p95, flip")
+        ->check(CLI::IsMember(std::vector<std::string>(kErrorMetricNames.begin(), kErrorMetricNames.end())))
+        ->type_name("NAME");
+    app.add_flag("--quiet", options.quiet, "no progress line");
+    addView(app, options.picture);
+    addRays(app, options.picture);
+    addSetting(app, options.picture, "threads", "N", "threads that trace; 0 is one per core");
 }
 
 void addScene(CLI::App& app, PictureOptions& options, bool required) {
@@ -138,6 +177,7 @@ std::variant<Options, int> parseCommandLine(int argc, const char* const* argv) {
     HitsOptions hits;
     BenchOptions bench;
     CompareOptions compare;
+    ChartOptions chart;
     std::string size, play, stats, layer, widgets, pixel, inspected, accel, difference;
 
     CLI::App* viewing = app.add_subcommand("view", "open the viewer");
@@ -221,6 +261,11 @@ std::variant<Options, int> parseCommandLine(int argc, const char* const* argv) {
         ->check(CLI::IsMember({"brute", "bvh2", "bvh8"}))
         ->type_name("NAME");
 
+    CLI::App* charting =
+        app.add_subcommand("chart", "speed against accuracy: points.csv, chart.svg, report.html");
+    addScene(*charting, chart.picture, true);
+    addChart(*charting, chart);
+
     CLI::App* comparing = app.add_subcommand("compare", "the difference between two pictures of one size");
     comparing->add_option("a", compare.reference, "the picture that is right")->required()->type_name("A");
     comparing->add_option("b", compare.test, "the picture to be judged")->required()->type_name("B");
@@ -261,6 +306,7 @@ std::variant<Options, int> parseCommandLine(int argc, const char* const* argv) {
     if (hitting->parsed()) return Options(hits);
     if (timing->parsed()) return Options(bench);
     if (comparing->parsed()) return Options(compare);
+    if (charting->parsed()) return Options(chart);
     if (listing->parsed()) return Options(ScenesOptions{});
     if (view.picture.scene.empty()) view.picture.scene = kDefaultScene;
     return Options(view);

@@ -2,6 +2,7 @@
 // What the command line asks for.
 
 #include <filesystem>
+#include <map>
 #include <optional>
 #include <string>
 #include <variant>
@@ -73,10 +74,21 @@ struct CompareOptions {
     bool json = false;
 };
 
+struct ChartOptions {
+    PictureOptions picture;
+    std::filesystem::path output;             // a folder
+    std::map<std::string, std::string> lists; // of kChartLists, by key; empty: the default
+    int repeats = 3;
+    int referenceSamples = 0; // 0: by the most samples
+    double limitSeconds = 30;
+    std::string metric = "rmse";
+    bool quiet = false;
+};
+
 struct ScenesOptions {};
 
 using Options = std::variant<ViewOptions, RenderOptions, SnapshotOptions, InspectOptions, HitsOptions,
-                             BenchOptions, CompareOptions, ScenesOptions>;
+                             BenchOptions, CompareOptions, ChartOptions, ScenesOptions>;
 
 /// What main does next: options to carry out, or an exit code after help or version have been printed.
 /// Throws InputError for a wrong command line.

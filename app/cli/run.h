@@ -13,6 +13,7 @@ int run(const InspectOptions&);
 int run(const HitsOptions&);
 int run(const BenchOptions&);
 int run(const CompareOptions&);
+int run(const ChartOptions&);
 int run(const ScenesOptions&);
 
 /// Says before the work what would go wrong after it: throws InputError for a name that ends in no picture

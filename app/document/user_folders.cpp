@@ -23,6 +23,12 @@ fs::path configFolder() {
     return home.empty() ? fs::path() : home / ".config";
 }
 
+fs::path cacheFolder() {
+    if (fs::path cache = environmentPath("XDG_CACHE_HOME"); !cache.empty()) return cache;
+    const fs::path home = environmentPath("HOME");
+    return home.empty() ? fs::path() : home / ".cache";
+}
+
 fs::path picturesFolder() {
     const fs::path home = environmentPath("HOME");
     if (home.empty()) return fs::current_path();

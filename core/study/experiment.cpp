@@ -7,6 +7,7 @@
 #include <limits>
 #include <numeric>
 
+#include "core/image/metrics.h"
 #include "core/study/log_fit.h"
 
 namespace eyeray {
@@ -85,6 +86,13 @@ TraceSettings fullestModel(const TraceSettings& base) {
     model.cutoff = 0;
     model.glassShadows = base.glassShadows;
     return model;
+}
+
+Reference referenceOf(const ReferenceHalves& halves, int samples) {
+    Reference reference{halves[0], rmse(halves[0], halves[1]) / 2, samples};
+    for (std::size_t i = 0; i < reference.picture.values().size(); ++i)
+        reference.picture.values()[i] = 0.5F * (halves[0].values()[i] + halves[1].values()[i]);
+    return reference;
 }
 
 Spread spreadOf(std::vector<double> values) {

@@ -7,7 +7,6 @@
 #include <string>
 #include <vector>
 
-#include "core/geometry/accel.h"
 #include "core/scene/camera.h"
 #include "core/scene/world.h"
 #include "core/study/picture_errors.h"
@@ -46,13 +45,17 @@ TraceSettings modelOf(const ExperimentSetting&);
 /// The settings that leave nothing out: path tracing to the largest depth. Shadow rays at glass as in `base`.
 TraceSettings fullestModel(const TraceSettings& base);
 
-/// A picture taken as right, with the root mean square error that it has itself: half the difference of its
-/// two halves, which were traced with other random numbers.
+/// A picture taken as right, with the root mean square error that it has itself.
 struct Reference {
     ColorImage picture;
     double error = 0;
     int samples = 0;
 };
+
+/// Two pictures of half the samples each, with random numbers of their own: what they differ by tells the
+/// error of their mean, which is the reference.
+using ReferenceHalves = std::array<ColorImage, 2>;
+Reference referenceOf(const ReferenceHalves&, int samples);
 
 struct Spread {
     double median = 0, least = 0, most = 0;

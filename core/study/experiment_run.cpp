@@ -5,7 +5,6 @@
 #include <map>
 
 #include "core/base/errors.h"
-#include "core/image/metrics.h"
 #include "core/study/pass_loop.h"
 
 namespace eyeray {
@@ -123,43 +122,39 @@ private:
         for (Wanted& each : wanted) {
             const auto same = std::ranges::find(toTrace, each.model, &Wanted::model);
             if (same != toTrace.end()) continue;
-            if (auto kept = store_.find(each.model)) {
-                known_.emplace_back(each.model, std::move(*kept));
+            if (const auto kept = store_.find(each.model)) {
+                known_.emplace_back(each.model, referenceOf(*kept, plan_.referenceSamples));
                 continue;
             }
             progress_.expect(each.passSeconds * plan_.referenceSamples);
             toTrace.push_back(each);
         }
         for (const Wanted& each : toTrace) {
-            auto reference = trace(each.model, each.passSeconds);
-            if (!reference) return false;
-            store_.keep(each.model, *reference);
-            known_.emplace_back(each.model, std::move(*reference));
+            const auto halves = trace(each.model, each.passSeconds);
+            if (!halves) return false;
+            store_.keep(each.model, *halves);
+            known_.emplace_back(each.model, referenceOf(*halves, plan_.referenceSamples));
         }
         for (const Wanted& each : wanted)
             *each.into = std::ranges::find(known_, each.model, &Known::first)->second;
         return true;
     }
 
-    /// Two halves with other random numbers, one after the other.
-    std::optional<Reference> trace(const TraceSettings& model, double passSeconds) {
-        const int half = plan_.referenceSamples / 2;
-        std::vector<ColorImage> halves;
+    /// One half after the other.
+    std::optional<ReferenceHalves> trace(const TraceSettings& model, double passSeconds) {
+        ReferenceHalves halves;
         for (std::uint32_t i = 0; i < 2; ++i) {
             PassLoop passes = loop({model, AccelKind::Auto}, plan_.seed ^ (kReferenceSeed + i));
             progress_.begin(fmt::format("reference for {} to depth {}",
                                         kMethodNames[static_cast<std::size_t>(model.method)],
                                         model.maxDepth));
-            while (passes.passes() < half) {
+            while (passes.passes() < plan_.referenceSamples / 2) {
                 if (!passes.pass(kNoLimit, stop_)) return std::nullopt;
                 progress_.did(passSeconds);
             }
-            halves.push_back(passes.picture());
+            halves[i] = passes.picture();
         }
-        Reference reference{halves[0], rmse(halves[0], halves[1]) / 2, 2 * half};
-        for (std::size_t i = 0; i < reference.picture.values().size(); ++i)
-            reference.picture.values()[i] = 0.5F * (halves[0].values()[i] + halves[1].values()[i]);
-        return reference;
+        return halves;
     }
 
     void measure(std::size_t curve, int repeat) {

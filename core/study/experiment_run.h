@@ -27,8 +27,8 @@ struct ExperimentPlan {
 
 /// Where pictures taken as right are kept from one experiment to the next.
 struct ReferenceStore {
-    std::function<std::optional<Reference>(const TraceSettings&)> find;
-    std::function<void(const TraceSettings&, const Reference&)> keep;
+    std::function<std::optional<ReferenceHalves>(const TraceSettings&)> find;
+    std::function<void(const TraceSettings&, const ReferenceHalves&)> keep;
 };
 
 /// Read by one thread while another measures.

@@ -41,13 +41,13 @@ ByteImage differencePicture(const ColorImage& reference, const ColorImage& test,
 }
 
 std::string svgOfHeat(const Axis& axis, const std::string& title) {
-    constexpr float kWidth = 640, kHeight = 74, kMargin = 40, kTop = 26, kBar = 18, kLetter = 13;
+    constexpr float kWidth = 960, kHeight = 84, kMargin = 40, kTop = 30, kBar = 20, kLetter = 14;
     constexpr int kSteps = 128;
     const Ground& light = groundOf(false);
     const Ground& dark = groundOf(true);
     Svg svg(kWidth, kHeight, light.panel);
     svg.twinColors(std::array{std::array{light.panel, dark.panel}, std::array{light.text, dark.text}});
-    svg.text({kMargin, 17}, title, {.size = kLetter, .color = light.text});
+    svg.text({kMargin, 20}, title, {.size = kLetter, .color = light.text});
     constexpr float kLength = kWidth - 2 * kMargin, kStep = kLength / kSteps;
     for (int i = 0; i < kSteps; ++i) {
         const Rgba8 color = heatColor((i + 0.5) / kSteps);

@@ -69,4 +69,7 @@ struct PlotSize {
 /// The chart as a file of its own, or to stand in an HTML page. Light, and dark on screens that prefer it.
 std::string svgOf(const Plot&, const PlotSize& = {});
 
+/// Several, each of this size, one below the other.
+std::string svgOf(std::span<const Plot>, const PlotSize&);
+
 }

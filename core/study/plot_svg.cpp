@@ -1,3 +1,5 @@
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -235,5 +237,18 @@ private:
 }
 
 std::string svgOf(const Plot& plot, const PlotSize& size) { return PlotDrawing(plot, size).draw(); }
+
+std::string svgOf(std::span<const Plot> plots, const PlotSize& size) {
+    const float height = size.height * static_cast<float>(plots.size());
+    std::string file =
+        fmt::format(R"(<svg xmlns="http://www.w3.org/2000/svg" width="{0:.0f}" height="{1:.0f}" )"
+                    R"(viewBox="0 0 {0:.0f} {1:.0f}">)"
+                    "\n",
+                    size.width, height);
+    for (std::size_t i = 0; i < plots.size(); ++i)
+        file += fmt::format("<g transform=\"translate(0 {:.0f})\">\n{}</g>\n",
+                            size.height * static_cast<float>(i), svgOf(plots[i], size));
+    return file + "</svg>\n";
+}
 
 }

@@ -24,7 +24,7 @@ figcaption { font-size: .875rem; padding: .5rem .75rem .75rem; }
 figcaption b { display: block; color: var(--text); }
 figure { margin: 1rem 0; background: var(--panel); border: 1px solid var(--border); border-radius: 8px; overflow: hidden; }
 figure > svg { display: block; width: 100%; height: auto; }
-.pictures { display: grid; gap: 1rem; grid-template-columns: repeat(auto-fill, minmax(19rem, 1fr)); }
+.pictures { display: grid; gap: 1rem; margin: 1rem 0; grid-template-columns: repeat(auto-fill, minmax(19rem, 1fr)); }
 .pictures figure { margin: 0; }
 .pictures img { display: block; width: 100%; image-rendering: auto; }
 .table { overflow-x: auto; margin: 1rem 0; background: var(--panel); border: 1px solid var(--border); border-radius: 8px; }
@@ -65,7 +65,8 @@ std::string style() {
 }
 
 bool looksLikeNumber(std::string_view cell) {
-    const std::size_t sign = cell.starts_with("-") || cell.starts_with("+") || cell.starts_with("±") ? 1 : 0;
+    if (cell.starts_with("≤ ")) return true;
+    const std::size_t sign = cell.starts_with("-") || cell.starts_with("+") ? 1 : 0;
     return cell == "-" || cell.starts_with("∞") ||
            (cell.size() > sign && std::isdigit(static_cast<unsigned char>(cell[sign])) != 0);
 }
