@@ -214,17 +214,32 @@ TEST(Explain, TheNotationIsChosenInTheMenu) {
     EXPECT_EQ(screen.picture(), letters);
 }
 
+TEST(Explain, TheSumOfAPathIsShownNestedOrAsAFlatList) {
+    Explained screen;
+    screen.say("set method=path");
+    screen.settle();
+    screen.openTab("Sum");
+    const ByteImage nested = screen.picture();
+    screen.click("flat list");
+    EXPECT_TRUE(screen.study().settings().flatSum);
+    EXPECT_NE(screen.picture(), nested);
+    screen.click("path term 0");
+    EXPECT_EQ(screen.errors(), 0U);
+    screen.say("sum show=nested");
+    EXPECT_FALSE(screen.study().settings().flatSum);
+}
+
 TEST(Explain, WrongCommandsAreRefusedWithOneLineEach) {
     Explained screen;
     std::size_t refused = 0;
     for (const char* command :
          {"strike term=1000000", "strike term=-1", "tree kind=laser", "tree show=pie", "tree least-weight=2",
-          "collapse", "collapse ray=x", "notation", "tab name=pie", "notation name=c"}) {
+          "collapse", "collapse ray=x", "notation", "tab name=pie", "notation name=c", "sum show=pie"}) {
         while (!screen.viewer.notices().empty()) screen.viewer.dismissNotice(0);
         EXPECT_FALSE(screen.gui.execute(Command::parse(command))) << command;
         refused += screen.errors();
     }
-    EXPECT_EQ(refused, 10U);
+    EXPECT_EQ(refused, 11U);
     screen.press("Escape");
     EXPECT_FALSE(screen.gui.execute(Command::parse("strike term=0"))) << "nothing is picked";
 }

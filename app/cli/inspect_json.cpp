@@ -5,6 +5,7 @@
 #include "app/cli/inspected.h"
 #include "app/document/command.h"
 #include "core/study/notation.h"
+#include "core/study/path_sum.h"
 #include "core/study/ray_facts.h"
 #include "core/study/wording.h"
 
@@ -80,6 +81,21 @@ Json lampOf(const Inspected& inspected, const LampTerm& lamp) {
             {"radiance", triple(lamp.radiance)}};
 }
 
+Json termOf(const PathTerm& term) {
+    constexpr std::array<std::string_view, 4> kSources = {"diffuse light", "specular light", "emission",
+                                                          "background"};
+    return {{"source", kSources[static_cast<std::size_t>(term.source)]},
+            {"ray", term.ray},
+            {"lamp", term.lamp},
+            {"throughput", triple(term.throughput)},
+            {"f_cos", triple(term.scattered)},
+            {"pdf", number(term.pdfW)},
+            {"mis", number(term.mis)},
+            {"radiance", triple(term.radiance)},
+            {"visibility", triple(term.visibility)},
+            {"value", triple(term.value)}};
+}
+
 Json untracedOf(const UntracedRay& ray) {
     return {{"parent", ray.parent},
             {"kind", name(ray.kind)},
@@ -122,10 +138,11 @@ std::string jsonOf(const Inspected& inspected) {
                   {{"kind", kAccelNames[static_cast<std::size_t>(inspected.world->accelKind)]},
                    {"primitives", inspected.world->primitives},
                    {"nodes", inspected.world->nodes}}}};
-    for (const char* list : {"rays", "lamps", "untraced"}) json[list] = Json::array();
+    for (const char* list : {"rays", "lamps", "untraced", "path_sum"}) json[list] = Json::array();
     for (std::size_t i = 0; i < inspected.trace.rays.size(); ++i) json["rays"].push_back(rayOf(inspected, i));
     for (const LampTerm& lamp : inspected.trace.lamps) json["lamps"].push_back(lampOf(inspected, lamp));
     for (const UntracedRay& ray : inspected.trace.untraced) json["untraced"].push_back(untracedOf(ray));
+    for (const PathTerm& term : pathTermsOf(inspected.trace)) json["path_sum"].push_back(termOf(term));
     json["ledger"] = nullptr;
     if (!inspected.ledger.nodes.empty())
         json["ledger"] = ledgerOf({inspected.ledger, inspected.trace, scene}, 0);

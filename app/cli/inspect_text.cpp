@@ -3,6 +3,7 @@
 #include "app/cli/inspected.h"
 #include "core/study/family.h"
 #include "core/study/notation.h"
+#include "core/study/path_sum.h"
 #include "core/study/wording.h"
 
 namespace eyeray {
@@ -24,6 +25,7 @@ public:
         text_ += fmt::format("  = {} {} {}\n", total.r, total.g, total.b);
         text_ += total == inspected_.film ? "The sum is this sample's value in the film, bit for bit.\n"
                                           : "The sum differs from this sample's value in the film.\n";
+        pathSum();
         return text_;
     }
 
@@ -60,6 +62,16 @@ private:
         text_ += whose.empty() ? "\n" : fmt::format("   ({})\n", whose);
         if (node.term != Term::Sent) return;
         for (const LedgerLine& below : linesBelow(inspected_.ledger, line.node)) sumLine(below, level + 1);
+    }
+
+    void pathSum() {
+        if (!inspected_.trace.physical) return;
+        text_ += "\nAs a flat list: throughput · f cos / pdf · MIS weight · radiance · visibility\n";
+        const std::vector<PathTerm> terms = pathTermsOf(inspected_.trace);
+        for (const PathTerm& term : terms)
+            text_ += fmt::format("  + {} = {}   ({})\n", factorsOf(term), colorText(term.value),
+                                 wayOf(scene_, inspected_.trace, term));
+        text_ += fmt::format("  = {}\n", colorText(Color(sumOf(terms))));
     }
 
     const Inspected& inspected_;

@@ -36,6 +36,21 @@ void chooseNotation(const Widgets& ui) {
     ImGui::EndCombo();
 }
 
+void chooseShape(const Widgets& ui) {
+    const bool flat = ui.viewer.study().settings().flatSum;
+    const auto choice = [&](const char* label, bool on) {
+        ImGui::SameLine();
+        if (ImGui::RadioButton(label, flat == on))
+            ui.execute({"sum", {{"show", on ? "flat" : "nested"}}}, {});
+        ui.mark(label);
+    };
+    choice("nested", false);
+    ui.tooltip("each ray's sum within that of the ray before");
+    choice("flat list", true);
+    ui.tooltip(
+        "throughput · f cos / pdf · MIS weight · radiance · visibility, for each way that light takes");
+}
+
 }
 
 void ledgerView(const Widgets& ui) {
@@ -45,7 +60,10 @@ void ledgerView(const Widgets& ui) {
     chooseSample(ui);
     ImGui::SameLine(0, 2 * ImGui::GetFontSize());
     chooseNotation(ui);
-    if (picked) ledgerLines(ui); // another sample may not be there yet
+    const bool physical = picked && picked->trace.physical; // another sample may not be there yet
+    if (physical) chooseShape(ui);
+    if (physical && ui.viewer.study().settings().flatSum) return pathSum(ui);
+    if (picked) ledgerLines(ui);
 }
 
 }

@@ -25,6 +25,7 @@ struct StudySettings {
     bool table = false; // the tree as a table, else as a diagram
     TreeFilter filter;
     Notation notation = Notation::DeckA;
+    bool flatSum = false; // the sum of a physical method as a flat list, else nested like the tree
 };
 
 class PixelStudy {

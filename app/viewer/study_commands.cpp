@@ -77,4 +77,13 @@ void notation(Viewer& viewer, const Command& command) {
     viewer.setStudy(settings);
 }
 
+void sum(Viewer& viewer, const Command& command) {
+    constexpr std::array kShown = {"nested"sv, "flat"sv};
+    command.allowOnly({"show"});
+    command.required("show");
+    StudySettings settings = viewer.study().settings();
+    settings.flatSum = *command.choice("show", kShown) == 1;
+    viewer.setStudy(settings);
+}
+
 }

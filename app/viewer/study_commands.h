@@ -12,5 +12,6 @@ void collapse(Viewer&, const Command&);
 void strike(Viewer&, const Command&);
 void strikePicture(Viewer&, const Command&);
 void notation(Viewer&, const Command&);
+void sum(Viewer&, const Command&);
 
 }

@@ -155,6 +155,8 @@ constexpr std::array kCommands = {
                   strike},
     ViewerCommand{"strike-picture", "",
                   "Takes what is struck out of the pixel's sum out of the whole picture.", strikePicture},
+    ViewerCommand{"sum", "show=nested|flat",
+                  "The sum of a physical method like the tree of rays, or as a flat list.", sum},
     ViewerCommand{"notation", "name=a|b|glm", "Whose letters the pixel's sum is written in.", notation},
     ViewerCommand{"wait", "samples=N", "Waits for so many samples, or until the picture is finished.", wait},
 };

@@ -76,11 +76,6 @@ bool usesHalfVector(const Scene& scene, int material) {
     return taught == nullptr || taught->specularModel == SpecularModel::BlinnPhong;
 }
 
-std::string number(const Color& c) {
-    if (c.r == c.g && c.g == c.b) return fmt::format("{:.3g}", c.r);
-    return fmt::format("({:.3g} {:.3g} {:.3g})", c.r, c.g, c.b);
-}
-
 void collect(const Ledger& ledger, int node, std::vector<LedgerLine>& lines) {
     const std::vector<int> operands = ledger.operandsOf(node);
     const bool factor = ledger.at(node).operation == LedgerNode::Operation::Product && operands.size() > 1;
@@ -136,7 +131,7 @@ std::string LedgerText::formula(int node) const {
 }
 
 std::string LedgerText::numbers(int node) const {
-    return expression(node, true, [&](int leaf) { return number(ledger.at(leaf).value); });
+    return expression(node, true, [&](int leaf) { return amountText(ledger.at(leaf).value); });
 }
 
 std::string LedgerText::whose(int node) const {

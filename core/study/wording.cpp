@@ -67,6 +67,11 @@ std::string metresText(float t) { return std::isfinite(t) ? fmt::format("{:.4g} 
 
 std::string colorText(const Color& c) { return fmt::format("{:.4f} {:.4f} {:.4f}", c.r, c.g, c.b); }
 
+std::string amountText(const Color& c) {
+    if (c.r == c.g && c.g == c.b) return fmt::format("{:.3g}", c.r);
+    return fmt::format("({:.3g} {:.3g} {:.3g})", c.r, c.g, c.b);
+}
+
 std::string countText(std::uint64_t count) {
     std::string digits = fmt::format("{}", count);
     for (auto i = static_cast<int>(digits.size()) - 3; i > 0; i -= 3)

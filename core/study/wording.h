@@ -34,6 +34,9 @@ std::string metresText(float t);
 /// "r g b", four digits each.
 std::string colorText(const Color&);
 
+/// The same in three digits, as one number for a grey: "0.5", "(0.5 0.2 0.1)".
+std::string amountText(const Color&);
+
 /// A count with its digits in groups of three: "1 234 567".
 std::string countText(std::uint64_t count);
 

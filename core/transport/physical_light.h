@@ -39,18 +39,23 @@ inline float weightOfFoundSky(const TraceContext& context, const PhysicalRay& ra
 
 namespace detail {
 
-/// f cos of the lobes towards a lamp, weighed against the rays that may find it, times π as in LampTerm.
+/// f cos of the lobes towards a lamp, times π as in LampTerm and weighed against the rays that may find it.
+struct WeighedLobe {
+    Color value{0};
+    float mis = 1;
+};
+
 template <class Rule>
-LocalTerms weighedLobes(const TraceSettings& settings, const Bsdf& bsdf, const PhysicalPoint& point,
-                        const EmitterSample& lamp) {
+std::array<WeighedLobe, 2> weighedLobes(const TraceSettings& settings, const Bsdf& bsdf,
+                                        const PhysicalPoint& point, const EmitterSample& lamp) {
     const auto term = [&](RayKind lobe) {
         const BsdfValue value = bsdf.eval(lobe, lamp.wi);
         const float found = lamp.pdfW > 0 && settings.shadows ? Rule::density(settings, lobe, value) : 0;
         const float weight = found > 0 ? powerHeuristic(lamp.pdfW, found) : 1;
-        return value.f * (kPi * weight * std::fabs(glm::dot(point.p.normal, lamp.wi)));
+        return WeighedLobe{value.f * (kPi * weight * std::fabs(glm::dot(point.p.normal, lamp.wi))), weight};
     };
-    return {.diffuse = term(RayKind::Diffuse),
-            .specular = term(RayKind::Reflection) + term(RayKind::Refraction)};
+    const bool passes = glm::dot(point.p.normal, lamp.wi) < 0;
+    return {term(RayKind::Diffuse), term(passes ? RayKind::Refraction : RayKind::Reflection)};
 }
 
 inline bool isPoint(const Emitter& emitter) { return std::holds_alternative<std::monostate>(emitter.shape); }
@@ -92,12 +97,15 @@ Color physicalLight(SampleState<Index, Recorder>& state, const PhysicalPoint& po
             note({.state = LampTerm::State::OutOfReach});
             continue;
         }
-        const LocalTerms local = detail::weighedLobes<Rule>(context.settings, bsdf, point, *lamp);
+        const auto [diffuse, specular] = detail::weighedLobes<Rule>(context.settings, bsdf, point, *lamp);
         LampTerm term{.wi = lamp->wi,
-                      .diffuse = local.diffuse,
-                      .specular = local.specular,
-                      .irradiance = lamp->irradiance / kPi};
-        term.radiance = local.sum() * term.irradiance;
+                      .diffuse = diffuse.value,
+                      .specular = specular.value,
+                      .diffuseMis = diffuse.mis,
+                      .specularMis = specular.mis,
+                      .irradiance = lamp->irradiance / kPi,
+                      .pdfW = lamp->pdfW};
+        term.radiance = (term.diffuse + term.specular) * term.irradiance;
         if (isBlack(term.radiance)) {
             term.state = LampTerm::State::FacesAway;
             note(term);

@@ -51,6 +51,7 @@ Color physicalRadiance(SampleState<Index, Recorder>& state, const PhysicalRay& r
             HitRecord& noted = state.recorder.at(record).hit;
             noted = hitRecordOf(world, point.p, *hit);
             noted.emission = point.surface.emission * emitted;
+            state.recorder.at(record).foundMis = emitted;
             noted.ambient = Color(0);
             noted.diffuseReflectance = point.surface.diffuse;
         }
@@ -62,8 +63,12 @@ Color physicalRadiance(SampleState<Index, Recorder>& state, const PhysicalRay& r
             radiance += onward(point, bsdf, ray.tree.weight * transmitted, record);
         }
     } else {
-        radiance = world.scene->environment.radiance(ray.tree.ray.direction) * weightOfFoundSky(context, ray);
-        if constexpr (Recorder::kOn) state.recorder.at(record).background = radiance;
+        const float found = weightOfFoundSky(context, ray);
+        radiance = world.scene->environment.radiance(ray.tree.ray.direction) * found;
+        if constexpr (Recorder::kOn) {
+            state.recorder.at(record).background = radiance;
+            state.recorder.at(record).foundMis = found;
+        }
     }
     radiance *= transmitted;
     if (state.faults().has(Fault::EarlyClamp)) radiance = glm::clamp(radiance, 0.0F, 1.0F);

@@ -42,6 +42,7 @@ struct RayRecord {
     Color radiance{0};            // what it brings: of a shadow ray its lamp's unblocked share
     Color background{0};          // what it sees where it hits nothing
     HitRecord hit{};              // valid if `end` is Hit
+    float foundMis = 1; // weight of multiple importance sampling within the hit's emission or the background
     RayEnd end = RayEnd::Background;
     bool totalReflection = false; // a reflection ray that carries all the light
     float eta = 1;                // of a refraction ray: η of the side it came from / η of its own
@@ -52,11 +53,13 @@ struct RayRecord {
 struct LampTerm {
     enum class State : std::uint8_t { Lit, FacesAway, OutOfReach } state = State::Lit; // others are black
     int ray = -1;                                                                      // at whose hit
-    int light = -1;                // id in Scene::lights, −1 for the sky
-    int shadowRay = -1;            // −1: none was traced
-    Vec3 wi{0};                    // unit, towards the lamp
-    Color diffuse{0}, specular{0}; // kd (n·l); ks (r·v)^n or ks (n·h)^n
-    Color irradiance{0};           // over π, at normal incidence: the lectures' colour of a lamp
+    int light = -1;                        // id in Scene::lights, −1 for the sky
+    int shadowRay = -1;                    // −1: none was traced
+    Vec3 wi{0};                            // unit, towards the lamp
+    Color diffuse{0}, specular{0};         // kd (n·l); ks (r·v)^n or ks (n·h)^n
+    float diffuseMis = 1, specularMis = 1; // weights of multiple importance sampling within these
+    Color irradiance{0};                   // over π, at normal incidence: the lectures' colour of a lamp
+    float pdfW = 0; // with which wi was taken among those towards the lamp; 0: there is but one
     Color visibility{1}, radiance{0};
 };
 
