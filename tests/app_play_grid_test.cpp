@@ -126,5 +126,12 @@ TEST_F(PlayedGrid, HasItsControlsInThePane) {
     EXPECT_FALSE(player().on());
 }
 
+TEST_F(PlayedGrid, EndsWithTheViewsThatExplainIt) {
+    execute("explain on=off");
+    EXPECT_FALSE(player().on());
+    execute("explain on=on");
+    EXPECT_FALSE(player().on()) << "the picture is whole until it is asked for again";
+}
+
 }
 }

@@ -46,7 +46,11 @@ void tab(Gui& gui, const Command& command) {
     gui.showTab(kLabels[static_cast<std::size_t>(*command.choice("name", kNames))]);
 }
 
-void explain(Gui& gui, const Command& command) { gui.setExplain(wanted(command, gui.preferences().explain)); }
+/// Without the views that explain it the coarse picture would be a riddle.
+void explain(Gui& gui, const Command& command) {
+    gui.setExplain(wanted(command, gui.preferences().explain));
+    if (!gui.preferences().explain) gui.viewer().playGrid(false);
+}
 void hover(Gui& gui, const Command& command) { gui.setHover(wanted(command, gui.preferences().hover)); }
 void rasterised(Gui& gui, const Command& command) { gui.setRasterised(wanted(command, gui.rasterised())); }
 /// Whoever wants boxes wants to see them.
