@@ -149,7 +149,8 @@ Vec3 normalByMatrix(const Placement& placement, const Vec3& normal) {
 
 /// The surface in object space, with the formula's own point on it.
 SurfacePoint pointOf(const Rules& rules, const Instance<Bvh2>& instance, const Ray& local, const Hit& hit) {
-    if (const auto* mesh = std::get_if<1>(&instance.geometry)) return surfaceAt(*(*mesh)->mesh, local.direction, hit);
+    if (const auto* mesh = std::get_if<1>(&instance.geometry))
+        return surfaceAt(*(*mesh)->mesh, local.direction, hit);
     const Shape& shape = *std::get_if<Shape>(&instance.geometry);
     if (std::holds_alternative<Sphere>(shape) && rules.has(Fault::SphereSlide)) {
         const Vec3 point = local.at(hit.t);
