@@ -87,10 +87,10 @@ void writeLayers(const fs::path& path, const std::vector<LayerImage>& layers, co
     writeFileAtomically(path, encodeChannels(channels, toMetadata(state, path.parent_path())));
 }
 
-fs::path freeName(const fs::path& folder, const std::string& stem) {
+fs::path freeName(const fs::path& folder, const std::string& stem, const std::string& ending) {
     std::error_code error;
     for (int number = 1;; ++number) {
-        const fs::path name = folder / fmt::format("{}-{:03}.png", stem, number);
+        const fs::path name = folder / fmt::format("{}-{:03}{}", stem, number, ending);
         if (!fs::exists(name, error)) return name;
     }
 }

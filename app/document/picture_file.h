@@ -44,7 +44,8 @@ void writeLayer(const std::filesystem::path&, const LayerImage&, const DisplaySe
 /// ending.
 void writeLayers(const std::filesystem::path&, const std::vector<LayerImage>&, const PictureState&);
 
-/// First name of the form `folder/stem-NNN.png` that is free.
-std::filesystem::path freeName(const std::filesystem::path& folder, const std::string& stem);
+/// First name of the form `folder/stem-NNN.png` that is free; or with another ending.
+std::filesystem::path freeName(const std::filesystem::path& folder, const std::string& stem,
+                               const std::string& ending = ".png");
 
 }

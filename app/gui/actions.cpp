@@ -80,6 +80,7 @@ constexpr std::array kActions = {
     Action{"View", "Play a coarse picture, pixel by pixel", "Shift+Y", "play-grid"},
     Action{"View", "What is under the pointer", "H", "hover"},
     Action{"View", "From the light: photons from the lamps", "Shift+L", "from-light"},
+    Action{"View", "Chart time against error, live", "M", "chart"},
     Action{"View", "Boxes of the index, level by level", "", "rayview boxes=level"},
     Action{"View", "Boxes that the ray is tested against", "", "rayview boxes=ray"},
     Action{"View", "No boxes", "", "rayview boxes=none"},

@@ -33,7 +33,7 @@ constexpr ImGuiWindowFlags kFixed = ImGuiWindowFlags_NoTitleBar | ImGuiWindowFla
 
 Gui::Gui(Viewer& viewer, Platform& platform, Preferences preferences)
     : viewer_(viewer), platform_(platform), preferences_(std::move(preferences)), picture_(platform.gl()),
-      rayPane_(platform.gl()) {
+      rayPane_(platform.gl()), chart_(platform.gl()) {
     setTheme(preferences_.dark);
     setPresenter(preferences_.presenter);
     setHover(preferences_.hover);
@@ -131,7 +131,10 @@ void Gui::middle(const Widgets& ui, ImVec2 at, ImVec2 size) {
     if (layout.rays) {
         ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {6 * ui.scale, 4 * ui.scale});
         begin("rays", *layout.rays, kStill);
-        rayPane_.draw(ui, picture_);
+        if (charts_)
+            chart_.plot(ui);
+        else
+            rayPane_.draw(ui, picture_);
         ImGui::End();
         ImGui::PopStyleVar();
     }
@@ -147,15 +150,18 @@ void Gui::explainingTabs(const Widgets& ui) {
     if (!viewer_.hasScene() || !ImGui::BeginTabBar("explain")) return;
     struct Tab {
         const char* label;
-        void (*draw)(const Widgets&);
+        std::function<void()> draw;
     };
+    const auto view = [&](void (*draw)(const Widgets&)) { return [&ui, draw] { draw(ui); }; };
     for (const Tab& tab :
-         {Tab{"Tree", treeView}, Tab{"Sum", ledgerView}, Tab{"Play", playView}, Tab{"Light", photonView}}) {
+         {Tab{"Tree", view(treeView)}, Tab{"Sum", view(ledgerView)}, Tab{"Play", view(playView)},
+          Tab{"Light", view(photonView)}, Tab{"Chart", [&] { chart_.list(ui); }}}) {
         const bool wanted = wantedTab_ == tab.label;
         const bool open = ImGui::BeginTabItem(tab.label, nullptr, wanted ? ImGuiTabItemFlags_SetSelected : 0);
         ui.mark(fmt::format("tab {}", tab.label));
         if (!open) continue;
-        tab.draw(ui);
+        charts_ = std::string_view(tab.label) == "Chart";
+        tab.draw();
         ImGui::EndTabItem();
     }
     wantedTab_ = {};

@@ -6,6 +6,7 @@
 #include <optional>
 #include <string>
 
+#include "app/gui/chart_view.h"
 #include "app/gui/file_dialog.h"
 #include "app/gui/picture_view.h"
 #include "app/gui/preferences.h"
@@ -85,10 +86,12 @@ private:
     Preferences preferences_;
     PictureView picture_;
     RayPane rayPane_;
+    ChartView chart_;
     FileDialog files_;
     std::map<std::string, WidgetRect> widgets_;
     Dialog dialog_ = Dialog::None;
     std::string_view wantedTab_;
+    bool charts_ = false; // the tab of the chart is open: it stands in the place of the rays in space
     bool fly_ = false, other_ = false, quit_ = false, animating_ = true;
     struct RaysFile {
         std::filesystem::path file;

@@ -39,8 +39,8 @@ void presenter(Gui& gui, const Command& command) {
 }
 void panels(Gui& gui, const Command& command) { gui.setPanels(wanted(command, gui.preferences().panels)); }
 void tab(Gui& gui, const Command& command) {
-    constexpr std::array kNames = {"tree"sv, "sum"sv, "play"sv, "light"sv};
-    constexpr std::array kLabels = {"Tree"sv, "Sum"sv, "Play"sv, "Light"sv};
+    constexpr std::array kNames = {"tree"sv, "sum"sv, "play"sv, "light"sv, "chart"sv};
+    constexpr std::array kLabels = {"Tree"sv, "Sum"sv, "Play"sv, "Light"sv, "Chart"sv};
     command.allowOnly({"name"});
     command.required("name");
     gui.showTab(kLabels[static_cast<std::size_t>(*command.choice("name", kNames))]);
@@ -144,6 +144,16 @@ void fromLight(Gui& gui, const Command& command) {
     }
 }
 
+void chart(Gui& gui, const Command& command) {
+    const bool on = wanted(command, gui.viewer().recording().on());
+    if (on && !gui.viewer().hasScene())
+        throw InputError(command.text(), "no scene is open", "open a scene first");
+    gui.viewer().setRecording(on);
+    if (!on) return;
+    gui.showTab("Chart");
+    gui.setExplain(true);
+}
+
 void deselect(Gui& gui, const Command&) {
     if (gui.viewer().hasScene()) {
         gui.viewer().pick(std::nullopt, false);
@@ -202,8 +212,8 @@ constexpr std::array kCommands = {
                rayview},
     GuiCommand{"rasterised", "on=on|off",
                "Shows what OpenGL draws of the scene: no shadows, mirrors or glass.", rasterised},
-    GuiCommand{"tab", "name=tree|sum|play|light",
-               "Shows the picked pixel's tree, its sum or its playing, or the photons.", tab},
+    GuiCommand{"tab", "name=tree|sum|play|light|chart",
+               "Shows the picked pixel's tree, its sum or its playing, the photons, or the chart.", tab},
     GuiCommand{"play", "to=start|back|next|hit|light|end run=on|off speed=F",
                "Plays how the picked pixel is traced, or the coarse picture: a step, or by itself.", play},
     GuiCommand{"play-grid", "on=on|off",
@@ -211,6 +221,7 @@ constexpr std::array kCommands = {
     GuiCommand{"from-light", "on=on|off radius=M rate=N photons=N",
                "Sends photons from the lamps; how large the lens is, how many a second, how many in all.",
                fromLight},
+    GuiCommand{"chart", "on=on|off", "Draws time against error of each picture while it refines.", chart},
     GuiCommand{"other", "on=on|off", "Shows the picture in place of a layer, or the other side alone.",
                other},
     GuiCommand{"fullscreen", "on=on|off", "Fills the screen.", fullscreen},

@@ -137,6 +137,7 @@ bool Viewer::update() {
     const bool started = startRendering();
     const bool metered = meterExposure();
     const bool compared = updateComparison(), layered = updateLayer(), lit = updatePhotons();
+    const bool charted = recording_.update(*session_, shownDisplay(document().render));
     const RenderStatus now = session_->status();
     const bool finished = lastPhase_ != now.phase || lastSamples_ != now.samples;
     if (now.phase != lastPhase_) retraceGrid();
@@ -146,7 +147,7 @@ bool Viewer::update() {
     lastPhase_ = now.phase;
     lastSamples_ = now.samples;
     return loaded || built || started || metered || compared || layered || finished || averaged || played ||
-           lit || now.active() || loading() || building();
+           lit || charted || now.active() || loading() || building();
 }
 
 void Viewer::openInBackground(const std::string& nameOrPath, std::vector<Command> commands) {
@@ -191,6 +192,7 @@ void Viewer::show(OpenedScene opened) {
     keepView_ = false;
     meter_ = opened_.meterExposure && !kept;
     history_ = std::make_unique<History>(opened_.document);
+    recording_.clear();
     if (kept) history_->change(std::move(*kept));
     picked_.reset();
     grid_.end();
@@ -252,6 +254,7 @@ bool Viewer::startRendering() {
     startComparison(settings, samePlace && rendered_ ? switchedKind(*rendered_, settings) : std::nullopt);
     rendered_ = settings;
     session_->start(world_, document().camera, settings);
+    recording_.begin(history_->original(), document(), width_, height_);
     picked_.reset();
     return true;
 }
@@ -296,6 +299,17 @@ bool Viewer::noticesPass() const {
 
 void Viewer::dismissNotice(std::size_t index) {
     if (index < notices_.size()) notices_.erase(notices_.begin() + static_cast<std::ptrdiff_t>(index));
+}
+
+void Viewer::setRecording(bool on) {
+    if (on && !recording_.on()) rendered_.reset();
+    recording_.setOn(on);
+}
+
+void Viewer::returnTo(std::size_t curve) {
+    Document back = recording_.curves().at(curve).document;
+    back.pixel = document().pixel;
+    change(std::move(back), {});
 }
 
 PictureState Viewer::pictureState() const {

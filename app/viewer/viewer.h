@@ -14,6 +14,7 @@
 #include "app/document/picture_file.h"
 #include "app/document/scene_files.h"
 #include "app/viewer/background_job.h"
+#include "app/viewer/chart_recording.h"
 #include "app/viewer/comparison_rendering.h"
 #include "app/viewer/grid_player.h"
 #include "app/viewer/layer_rendering.h"
@@ -102,6 +103,8 @@ public:
     const ComparisonRendering& comparison() const { return comparison_; }
     const PhotonRendering& photons() const { return photons_; }
     const PhotonSettings& photonSettings() const { return photonSettings_; }
+    ChartRecording& recording() { return recording_; }
+    const ChartRecording& recording() const { return recording_; }
     const std::deque<Notice>& notices() const { return notices_; }
     /// True while there is a notice that will go by itself.
     bool noticesPass() const;
@@ -111,6 +114,10 @@ public:
     void undo() { history_->undo(); }
     void redo() { history_->redo(); }
     void reset() { history_->change(history_->original()); }
+    /// Draws the error of each picture over time; the picture begins anew, so that it is drawn whole.
+    void setRecording(bool on);
+    /// Brings back what a curve of the chart was recorded with; one step of undo.
+    void returnTo(std::size_t curve);
     void setPaused(bool);
     /// Picks a pixel of the picture, or none; selects the object there if asked. While a coarse picture is
     /// played, it plays up to that place.
@@ -197,6 +204,7 @@ private:
     ComparisonRendering comparison_;
     PhotonRendering photons_;
     PhotonSettings photonSettings_;
+    ChartRecording recording_;
     std::optional<OtherPicture> compared_;         // what the comparison was last started with
     std::shared_ptr<const ColorImage> rasterised_; // likewise
     std::string lastSwitch_;                       // the setting that undoes it, such as "reflections=on"

@@ -5,6 +5,7 @@
 #include <array>
 
 #include "app/document/user_folders.h"
+#include "app/viewer/chart_commands.h"
 #include "app/viewer/study_commands.h"
 #include "app/viewer/viewer.h"
 #include "core/base/errors.h"
@@ -158,6 +159,13 @@ constexpr std::array kCommands = {
     ViewerCommand{"sum", "show=nested|flat",
                   "The sum of a physical method like the tree of rays, or as a flat list.", sum},
     ViewerCommand{"notation", "name=a|b|glm", "Whose letters the pixel's sum is written in.", notation},
+    ViewerCommand{"curve", "n=N name=TEXT color=0..5 pin=on|off",
+                  "Names and colours a curve of the live chart; a pinned one stays.", curve},
+    ViewerCommand{"curve-return", "n=N", "Brings back the settings that a curve was recorded with.",
+                  curveReturn},
+    ViewerCommand{"curve-remove", "n=N", "Takes a curve away.", curveRemove},
+    ViewerCommand{"chart-save", "file=FILE.svg|.csv format=svg|csv",
+                  "Saves the live chart; without a name into the Pictures folder.", chartSave},
     ViewerCommand{"wait", "samples=N", "Waits for so many samples, or until the picture is finished.", wait},
 };
 

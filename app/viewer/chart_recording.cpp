@@ -1,0 +1,154 @@
+#include "app/viewer/chart_recording.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "app/document/settings.h"
+#include "core/image/metrics.h"
+#include "core/study/palette.h"
+
+namespace eyeray {
+namespace {
+
+constexpr std::size_t kMostLoose = 8; // curves that are not pinned
+constexpr int kSmallWidth = 320;      // of kept pictures, pixels
+constexpr double kLeastGrowth = 1.5;  // of samples between two points
+
+/// Every step-th pixel.
+ByteImage small(const ColorImage& picture, const DisplaySettings& settings) {
+    const int step = std::max(1, picture.width() / kSmallWidth);
+    ColorImage fewer(std::max(1, picture.width() / step), std::max(1, picture.height() / step));
+    for (int y = 0; y < fewer.height(); ++y)
+        for (int x = 0; x < fewer.width(); ++x) fewer.at(x, y) = picture.at(x * step, y * step);
+    return display(fewer, settings);
+}
+
+bool sameView(const Document& a, const Document& b) { return a.scene == b.scene && a.camera == b.camera; }
+
+/// A setting that changes what is traced, and is not named anyway.
+bool isTold(std::string_view key) {
+    constexpr std::array<std::string_view, 9> kUntold = {
+        "method", "max-depth", "samples", "seconds", "error", "exposure", "tonemap", "threads", "aspect"};
+    return std::ranges::find(kUntold, key) == kUntold.end();
+}
+
+}
+
+std::string nameOfSetting(const Document& original, const Document& now) {
+    std::string name = fmt::format("{} d{}", kMethodNames[static_cast<std::size_t>(now.render.trace.method)],
+                                   now.render.trace.maxDepth);
+    for (const Setting& setting : settings())
+        if (isTold(setting.key) && setting.get(original) != setting.get(now))
+            name += fmt::format(" {}={}", setting.key, setting.get(now));
+    return name;
+}
+
+void ChartRecording::begin(const Document& original, const Document& now, int width, int height) {
+    const bool sameSize = width == width_ && height == height_;
+    width_ = width;
+    height_ = height;
+    last_ = {};
+    lastSamples_ = 0;
+    std::erase_if(curves_, [&](const RecordedCurve& curve) {
+        return !curve.pinned && (curve.points.empty() || !sameSize || !sameView(curve.document, now));
+    });
+    const auto loose = [](const RecordedCurve& curve) { return !curve.pinned; };
+    if (std::ranges::count_if(curves_, loose) >= static_cast<std::ptrdiff_t>(kMostLoose))
+        curves_.erase(std::ranges::find_if(curves_, loose));
+    curves_.push_back({nameOfSetting(original, now), freeColor(), false, now, {}});
+}
+
+int ChartRecording::freeColor() const {
+    constexpr int kColors = static_cast<int>(kSeriesColors);
+    const auto uses = [&](int color) {
+        return std::ranges::count(curves_, color, [](const RecordedCurve& c) { return c.color % kColors; });
+    };
+    int best = 0;
+    for (int color = 1; color < kColors; ++color)
+        if (uses(color) < uses(best)) best = color;
+    return best;
+}
+
+bool ChartRecording::update(const RenderSession& session, const DisplaySettings& settings) {
+    if (!on_ || curves_.empty()) return false;
+    const RenderStatus before = session.status();
+    const bool due = before.samples >= std::max(1, 2 * lastSamples_) ||
+                     (!before.active() && before.samples >= kLeastGrowth * lastSamples_);
+    if (!due || before.samples == lastSamples_) return false;
+    ColorImage picture = session.image();
+    if (session.status().samples != before.samples || picture.width() != width_ ||
+        picture.height() != height_)
+        return false; // a pass has ended meanwhile: the next frame will do
+    if (lastSamples_ > 0) {
+        const double a = lastSamples_, b = before.samples;
+        curves_.back().points.push_back({before.samples, before.seconds,
+                                         rmse(picture, last_) * std::sqrt(a / (b - a)),
+                                         small(picture, settings)});
+    }
+    last_ = std::move(picture);
+    lastSamples_ = before.samples;
+    return true;
+}
+
+void ChartRecording::clear() {
+    curves_.clear();
+    last_ = {};
+    lastSamples_ = 0;
+}
+
+void ChartRecording::remove(std::size_t curve) {
+    if (static_cast<int>(curve) == current())
+        curves_.at(curve).points.clear();
+    else
+        curves_.erase(curves_.begin() + static_cast<std::ptrdiff_t>(curve));
+}
+
+Plot plotOf(const ChartRecording& recording) {
+    Plot plot{.title = {},
+              .xTitle = "seconds of tracing",
+              .yTitle = "estimated error (RMSE of linear light)",
+              .x = {},
+              .y = {},
+              .series = {}};
+    for (const RecordedCurve& curve : recording.curves()) {
+        if (curve.points.empty()) continue;
+        PlotSeries series{.name = curve.name, .color = curve.color, .points = {}};
+        for (const RecordedPoint& point : curve.points)
+            series.points.push_back(
+                {point.seconds,
+                 point.error,
+                 {},
+                 fmt::format("{}\n{} samples, {} s\nestimated error {}", curve.name, point.samples,
+                             shortNumber(point.seconds), shortNumber(point.error))});
+        plot.series.push_back(std::move(series));
+    }
+    fitAxes(plot, Scale::Log, Scale::Log);
+    if (plot.series.empty()) return plot;
+    // The latest curve alone has labels: the samples of all are much the same.
+    const auto latest =
+        std::ranges::find_if(recording.curves().rbegin(), recording.curves().rend(),
+                             [](const RecordedCurve& curve) { return !curve.points.empty(); });
+    std::vector<PlotPoint>& points = plot.series.back().points;
+    for (std::size_t i = 0; i < points.size(); ++i)
+        points[i].label = fmt::format("×{}", latest->points[i].samples);
+    if (const PlotPoint& first = points.front(); first.y > 0) {
+        plot.guides.push_back({first.x, first.y, -0.5, "slope −½: Monte Carlo"});
+    }
+    return plot;
+}
+
+std::string csvOf(const ChartRecording& recording) {
+    std::string text = "curve,samples,seconds,estimated_error\n";
+    for (const RecordedCurve& curve : recording.curves())
+        for (const RecordedPoint& point : curve.points) {
+            std::string name;
+            for (const char c : curve.name) name += c == '"' ? std::string("\"\"") : std::string(1, c);
+            text += fmt::format("\"{}\",{},{},{}\n", name, point.samples, point.seconds, point.error);
+        }
+    return text;
+}
+
+}
