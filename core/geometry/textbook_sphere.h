@@ -20,4 +20,12 @@ std::optional<T> intersectSphere(T radius, const RayOf<T>& ray) {
     return {};
 }
 
+/// The angle of a point on the sphere from its top, as a share of π, by the arc cosine. F25: where o + t·d
+/// lies outside, which by rounding is so for every third point near the top, that is NaN; for the others half
+/// of the digits are lost.
+template <class T>
+T latitude(T radius, const Vector<T>& point) {
+    return std::acos(point.y / radius) / static_cast<T>(kPiD);
+}
+
 }

@@ -1,0 +1,21 @@
+#pragma once
+// Sums of samples and their display, the simple way.
+
+#include <cmath>
+#include <cstdint>
+
+namespace eyeray::textbook {
+
+/// Mean of n samples from that of n − 1, kept in 8 bits. F57: stops moving once (sample − mean)/n rounds to
+/// 0.
+inline std::uint8_t blended(std::uint8_t mean, std::uint8_t sample, int n) {
+    return static_cast<std::uint8_t>(std::lround(mean + (sample - mean) / static_cast<double>(n)));
+}
+
+/// A linear value as a byte by a power of 1/2.2, cut to whole bytes. F55: up to 8 codes off sRGB in the dark.
+template <class T>
+std::uint8_t encoded(T linear) {
+    return static_cast<std::uint8_t>(T(255) * std::pow(linear, 1 / T(2.2)));
+}
+
+}
