@@ -1,14 +1,12 @@
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <chrono>
-#include <cstdio>
 
 #include "app/cli/bench.h"
 #include "app/cli/interruption.h"
+#include "app/cli/progress.h"
 #include "app/cli/run.h"
-#include "core/base/errors.h"
 
 namespace eyeray {
 namespace {
@@ -25,11 +23,6 @@ double secondsSince(Clock::time_point start) {
     return std::chrono::duration<double>(Clock::now() - start).count();
 }
 
-void print(const std::string& text) {
-    if (std::fwrite(text.data(), 1, text.size(), stdout) != text.size() || std::fflush(stdout) != 0)
-        throw Failure("standard output", "cannot be written", "see that there is room");
-}
-
 std::vector<int> threadCounts(const BenchOptions& options) {
     if (options.threads) return {*options.threads};
     const int cores = ThreadPool().threads();
@@ -38,31 +31,6 @@ std::vector<int> threadCounts(const BenchOptions& options) {
     if (cores > 2) counts.push_back(cores);
     return counts;
 }
-
-/// Progress on a terminal.
-class Progress {
-public:
-    explicit Progress(std::size_t steps) : steps_(steps), shown_(isatty(STDERR_FILENO) != 0) {}
-    Progress(const Progress&) = delete;
-    Progress& operator=(const Progress&) = delete;
-    ~Progress() {
-        if (shown_) fmt::print(stderr, "\r\033[K");
-    }
-    void step(const std::string& what) {
-        ++done_;
-        if (!shown_) return;
-        const double left =
-            secondsSince(start_) / static_cast<double>(done_) * static_cast<double>(steps_ - done_);
-        fmt::print(stderr, "\r{}: {:.0f} %, {:.0f} s left\033[K", what,
-                   100.0 * static_cast<double>(done_) / static_cast<double>(steps_), left);
-        std::fflush(stderr);
-    }
-
-private:
-    std::size_t steps_, done_ = 0;
-    bool shown_;
-    Clock::time_point start_ = Clock::now();
-};
 
 class SceneBench {
 public:
@@ -149,9 +117,9 @@ int run(const BenchOptions& options) {
         if (interrupted()) break;
         scenes.push_back(
             SceneBench(scene, options, options.seconds / static_cast<double>(names.size())).measure());
-        if (!options.json) print(textOf(scenes.back()));
+        if (!options.json) printWhole(textOf(scenes.back()));
     }
-    if (options.json) print(jsonOf(scenes));
+    if (options.json) printWhole(jsonOf(scenes));
     if (interrupted()) fmt::print(stderr, "eyeray: interrupted: only what had been measured is told\n");
     return 0;
 }

@@ -176,6 +176,7 @@ std::variant<Options, int> parseCommandLine(int argc, const char* const* argv) {
     InspectOptions inspect;
     HitsOptions hits;
     BenchOptions bench;
+    StabilityOptions stability;
     CompareOptions compare;
     ChartOptions chart;
     std::string size, play, stats, layer, widgets, pixel, inspected, accel, difference;
@@ -266,6 +267,16 @@ std::variant<Options, int> parseCommandLine(int argc, const char* const* argv) {
     addScene(*charting, chart.picture, true);
     addChart(*charting, chart);
 
+    CLI::App* failing = app.add_subcommand(
+        "stability", "where methods fail: naive formulas against the renderer's, measured");
+    failing->add_option("-o,--output", stability.folder, "folder for report.html and cases.csv")
+        ->required()
+        ->type_name("DIR");
+    failing->add_flag("--json", stability.json, "all figures as one JSON list in place of the table");
+    failing->add_option("--rays", stability.rays, "rays, or what stands for them, of each form at each value")
+        ->check(CLI::Range(1000, 5'000'000))
+        ->type_name("N");
+
     CLI::App* comparing = app.add_subcommand("compare", "the difference between two pictures of one size");
     comparing->add_option("a", compare.reference, "the picture that is right")->required()->type_name("A");
     comparing->add_option("b", compare.test, "the picture to be judged")->required()->type_name("B");
@@ -305,6 +316,7 @@ std::variant<Options, int> parseCommandLine(int argc, const char* const* argv) {
     if (inspecting->parsed()) return Options(inspect);
     if (hitting->parsed()) return Options(hits);
     if (timing->parsed()) return Options(bench);
+    if (failing->parsed()) return Options(stability);
     if (comparing->parsed()) return Options(compare);
     if (charting->parsed()) return Options(chart);
     if (listing->parsed()) return Options(ScenesOptions{});

@@ -68,6 +68,12 @@ struct BenchOptions {
     bool json = false;
 };
 
+struct StabilityOptions {
+    std::filesystem::path folder; // of the report
+    int rays = 300'000;           // of each form at each value
+    bool json = false;
+};
+
 struct CompareOptions {
     std::filesystem::path reference, test;
     std::optional<std::filesystem::path> output; // of the difference picture
@@ -88,7 +94,7 @@ struct ChartOptions {
 struct ScenesOptions {};
 
 using Options = std::variant<ViewOptions, RenderOptions, SnapshotOptions, InspectOptions, HitsOptions,
-                             BenchOptions, CompareOptions, ChartOptions, ScenesOptions>;
+                             BenchOptions, StabilityOptions, CompareOptions, ChartOptions, ScenesOptions>;
 
 /// What main does next: options to carry out, or an exit code after help or version have been printed.
 /// Throws InputError for a wrong command line.

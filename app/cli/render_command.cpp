@@ -107,6 +107,16 @@ void checkFolder(const std::filesystem::path& output) {
         throw Failure(output.string(), "there is no such folder", "make it first");
 }
 
+void makeFolder(const std::filesystem::path& folder) {
+    std::error_code error;
+    if (std::filesystem::is_directory(folder, error)) return;
+    if (std::filesystem::exists(folder, error))
+        throw InputError(folder.string(), "is no folder", "name one, or what is to be one");
+    checkFolder(folder);
+    std::filesystem::create_directory(folder, error);
+    if (error) throw Failure(folder.string(), error.message(), "name a folder that can be written");
+}
+
 void setSize(RenderSettings& settings, const PictureOptions& options, double aspect) {
     const double ratio = aspect > 0 ? aspect : kDefaultAspect;
     const auto rounded = [](double side) {

@@ -12,6 +12,7 @@ int run(const SnapshotOptions&);
 int run(const InspectOptions&);
 int run(const HitsOptions&);
 int run(const BenchOptions&);
+int run(const StabilityOptions&);
 int run(const CompareOptions&);
 int run(const ChartOptions&);
 int run(const ScenesOptions&);
@@ -21,6 +22,9 @@ int run(const ScenesOptions&);
 void checkOutput(const std::filesystem::path& output);
 /// Only the latter.
 void checkFolder(const std::filesystem::path& output);
+/// Makes the folder of a report if it is not there. Throws InputError if the name is a file's, Failure if its
+/// own folder is not there or cannot be written.
+void makeFolder(const std::filesystem::path& folder);
 
 /// The options' scene, opened, with its options applied. Metering is left to the caller.
 OpenedScene openFor(const PictureOptions&);

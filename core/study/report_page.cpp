@@ -25,7 +25,8 @@ figcaption b { display: block; color: var(--text); }
 figure { margin: 1rem 0; background: var(--panel); border: 1px solid var(--border); border-radius: 8px; overflow: hidden; }
 figure > svg { display: block; width: 100%; height: auto; }
 .pictures { display: grid; gap: 1rem; margin: 1rem 0; grid-template-columns: repeat(auto-fill, minmax(19rem, 1fr)); }
-.pictures figure { margin: 0; }
+.charts { display: grid; gap: 1rem; grid-template-columns: repeat(auto-fill, minmax(min(30rem, 100%), 1fr)); margin: 1rem 0; }
+.pictures figure, .charts figure { margin: 0; }
 .pictures img { display: block; width: 100%; image-rendering: auto; }
 .table { overflow-x: auto; margin: 1rem 0; background: var(--panel); border: 1px solid var(--border); border-radius: 8px; }
 table { border-collapse: collapse; width: 100%; font-size: .875rem; font-variant-numeric: tabular-nums; }
@@ -41,6 +42,7 @@ td.long { white-space: normal; min-width: 16rem; }
   figure, tr, h2 { break-inside: avoid; }
   h2 { break-after: avoid; }
   .table { overflow: visible; }
+  .charts { grid-template-columns: 1fr 1fr; }
   th, td { padding: .15rem .4rem; }
   * { print-color-adjust: exact; -webkit-print-color-adjust: exact; }
 }
@@ -110,6 +112,14 @@ void ReportPage::table(const ReportTable& table) {
 
 void ReportPage::figure(std::string_view svg, std::string_view caption) {
     body_ += fmt::format("<figure>{}<figcaption>{}</figcaption></figure>\n", svg, escaped(caption));
+}
+
+void ReportPage::figures(std::span<const ReportFigure> figures) {
+    body_ += "<div class=\"charts\">\n";
+    for (const ReportFigure& figure : figures)
+        body_ += fmt::format("<figure>{}<figcaption><b>{}</b>{}</figcaption></figure>\n", figure.svg,
+                             escaped(figure.title), escaped(figure.caption));
+    body_ += "</div>\n";
 }
 
 void ReportPage::pictures(std::span<const ReportPicture> pictures) {

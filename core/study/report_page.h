@@ -23,6 +23,10 @@ struct ReportPicture {
     std::string title, caption;
 };
 
+struct ReportFigure {
+    std::string svg, title, caption;
+};
+
 /// All texts are plain and are escaped; parts stand in the order in which they are added.
 class ReportPage {
 public:
@@ -36,6 +40,7 @@ public:
     /// A whole SVG, as it is, with words below.
     void figure(std::string_view svg, std::string_view caption);
     /// Side by side as the width allows.
+    void figures(std::span<const ReportFigure>);
     void pictures(std::span<const ReportPicture>);
 
     /// The whole file.
