@@ -64,12 +64,22 @@ void Film::add(int tileIndex, const TileResult& result, int pass) {
             const Color& sample = result.radiance[next++];
             const double luma = luminance(DVec3(sample));
             sums_[now][i] = pass == 0 ? DVec3(sample) : sums_[before][i] + DVec3(sample);
-            if (eightBit_) sums_[now][i] = roundedMean(sums_[now][i], pass + 1);
             squares_[now][i] = pass == 0 ? luma * luma : squares_[before][i] + luma * luma;
             shown_.at(x, y) = Color(sums_[now][i] / static_cast<double>(pass + 1));
         }
+    if (eightBit_) roundMeans(state.area, now, pass + 1);
     state.passes = pass + 1;
     ++state.version;
+}
+
+// Apart from the sums: a branch among them makes them take four times as long.
+void Film::roundMeans(const Tile& area, std::size_t now, int count) {
+    for (int y = area.y0; y < area.y1; ++y)
+        for (int x = area.x0; x < area.x1; ++x) {
+            DVec3& sum = sums_[now][index(x, y)];
+            sum = roundedMean(sum, count);
+            shown_.at(x, y) = Color(sum / static_cast<double>(count));
+        }
 }
 
 void Film::preview(int tileIndex, const TileResult& result) {

@@ -75,6 +75,8 @@ private:
         int passes = 0;
         std::uint32_t version = 0;
     };
+    /// Of so many samples, to multiples of 1/255.
+    void roundMeans(const Tile&, std::size_t now, int count);
     std::size_t index(int x, int y) const {
         return static_cast<std::size_t>(y) * static_cast<std::size_t>(width_) + static_cast<std::size_t>(x);
     }
