@@ -49,17 +49,20 @@ Measured traced(double albedo, int depth, const StabilityEffort& effort, int pat
     return {error, error > 0.02 ? 1e6 : 0, effort.timed ? taken.count() / all : 0};
 }
 
-constexpr int kCostly = 5; // times as much as a ray
+constexpr int kCostly = 5;               // times as much as a ray
+constexpr int kLeastPaths = 8 * 64 * 64; // for an error well below the mark
 constexpr int kUsualDepth = 5;
 
+int pathsFor(const StabilityEffort& effort) { return std::max(kLeastPaths, effort.trials / kCostly); }
+
 MeasuredForms truncated(double albedo, const StabilityEffort& effort) {
-    const int paths = effort.trials / kCostly;
+    const int paths = pathsFor(effort);
     return {traced(albedo, kUsualDepth, effort, paths), std::nullopt,
             traced(albedo, kMaxDepth, effort, paths)};
 }
 
 MeasuredForms roulette(double albedo, const StabilityEffort& effort) {
-    const auto inputs = numbered(effort.trials / kCostly);
+    const auto inputs = numbered(pathsFor(effort));
     const auto naive = [&](auto type) -> Measured {
         const auto walk = [&](std::uint32_t trial) {
             TrialNumbers numbers(41, trial);
@@ -71,7 +74,7 @@ MeasuredForms roulette(double albedo, const StabilityEffort& effort) {
         const double error = std::fabs(sum / static_cast<double>(inputs.size()) * (1 - albedo) - 1);
         return {error, error > 0.02 ? 1e6 : 0}; // its time is that of no ray
     };
-    return {naive(float()), naive(double()), traced(albedo, kMaxDepth, effort, effort.trials / kCostly)};
+    return {naive(float()), naive(double()), traced(albedo, kMaxDepth, effort, pathsFor(effort))};
 }
 
 // A shadow ray to a random point of a lamp of two triangles, up to t = 1: what is hit can only be the lamp.

@@ -1,11 +1,12 @@
-// Triangles: F07 to F11.
+// Triangles: F07 to F11, F34.
 
 #include <map>
 
-#include "core/geometry/mesh.h"
+#include "core/geometry/accel.h"
 #include "core/geometry/textbook_triangle.h"
 #include "core/study/stability_groups.h"
 #include "core/study/stability_trials.h"
+#include "core/transport/shading_point.h"
 
 namespace eyeray {
 namespace {
@@ -56,12 +57,14 @@ textbook::Corners<T> cornersIn(const TriangleMesh& mesh, std::uint32_t triangle)
             textbook::Vector<T>(mesh.positions[c])};
 }
 
+int levelsFor(double triangles) { return static_cast<int>(std::lround(std::log2(triangles / 8) / 2)); }
+
 MeasuredForms leaks(double triangles, const StabilityEffort& effort) {
     struct Input {
         Ray ray;
         std::uint32_t triangle; // whose edge or corner it is aimed at
     };
-    const TriangleMesh ball = octahedralBall(static_cast<int>(std::lround(std::log2(triangles / 8) / 2)));
+    const TriangleMesh ball = octahedralBall(levelsFor(triangles));
     const auto around = surroundings(ball);
     const auto inputs = inputsOf(effort.trials, 7, [&](TrialNumbers& numbers) {
         const auto triangle =
@@ -89,6 +92,47 @@ MeasuredForms leaks(double triangles, const StabilityEffort& effort) {
             });
         },
         [](const Input&, bool held) { return !held; });
+}
+
+// Shadow rays from a smooth ball to lamps that its normals call visible: nothing is in their way.
+MeasuredForms terminator(double triangles, const StabilityEffort& effort) {
+    struct Input {
+        ShadingPoint point;
+        Vec3 toLamp;
+    };
+    TriangleMesh ball = octahedralBall(levelsFor(triangles));
+    ball.normals = ball.positions;
+    const auto mesh = std::make_shared<const TriangleMesh>(std::move(ball));
+    const auto geometry =
+        indexInstances<Bvh2>({{.placement = Placement(), .geometry = indexMesh<Bvh2>(mesh, {})}}, {});
+    const auto inputs = inputsOf(effort.trials, 34, [&](TrialNumbers& numbers) {
+        while (true) {
+            const DVec3 eye = 5.0 * numbers.direction(), target = numbers.inCube(0.6);
+            const Ray ray = rayFrom(eye, glm::normalize(target - eye));
+            const auto hit = closestHit(geometry, ray);
+            if (!hit) continue;
+            ShadingPoint point{};
+            point.at = surfaceAt(geometry, ray, *hit);
+            point.wo = -ray.direction;
+            point.normal = point.at.shadingNormal;
+            point.geometricNormal = point.at.geometricNormal;
+            const Vec3 toLamp(numbers.direction());
+            if (glm::dot(point.normal, toLamp) > 0 && glm::dot(point.normal, point.wo) > 0)
+                return Input{point, toLamp};
+        }
+    });
+    const auto shaded = [&](const Vec3& origin, const Vec3& toLamp) {
+        return anyHit(geometry, {.origin = origin, .direction = toLamp});
+    };
+    const auto judge = [](const Input&, bool isShaded) { return isShaded; };
+    return {
+        tried(
+            inputs, effort,
+            [&](const Input& in) { return shaded(spawnOrigin(in.point.at, in.toLamp), in.toLamp); }, judge),
+        std::nullopt,
+        tried(
+            inputs, effort,
+            [&](const Input& in) { return shaded(shadowOrigin(in.point, in.toLamp), in.toLamp); }, judge)};
 }
 
 /// One triangle of its own in float, and a ray at it.
@@ -269,6 +313,18 @@ std::vector<StabilityCase> triangleCases() {
          .showsFailures = true,
          .mark = {1e-6, 0},
          .measure = extremeTriangle},
+        {.id = "F34",
+         .title = "Facets black that the normals call lit",
+         .why = "the lamp is above the smooth surface and below the plane of its facet",
+         .fix =
+             "shadow rays start on the rounded surface that the normals stand for (Hanika 2021, Ray Tracing "
+             "Gems II 4)",
+         .parameter = "triangles of a smooth ball",
+         .error = "share of lit points that are black",
+         .failure = "points that are lit, and that the ball's own facets shade",
+         .sweep = {32, 128, 512, 2048, 8192, 32768},
+         .mark = {0, 0},
+         .measure = terminator},
     };
 }
 
