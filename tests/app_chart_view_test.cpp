@@ -69,6 +69,11 @@ TEST_F(LiveChart, ButtonsPinColourAndTakeAway) {
     EXPECT_NE(curves()[0].color, color);
     execute("curve n=0 name=noise");
     EXPECT_EQ(curves()[0].name, "noise");
+    screen.click("curve right 0");
+    ASSERT_TRUE(screen.viewer.recording().reference());
+    EXPECT_EQ(screen.viewer.recording().reference()->samples, 16);
+    screen.click("curve right 0");
+    EXPECT_FALSE(screen.viewer.recording().reference());
     screen.click("curve remove 0");
     EXPECT_TRUE(curves().empty() || curves()[0].points.empty());
 }
@@ -87,7 +92,7 @@ TEST_F(LiveChart, IsSavedAsSvgAndCsv) {
         return std::string(reinterpret_cast<const char*>(bytes.data()), bytes.size());
     };
     EXPECT_NE(textOf(svg).find("path d5"), std::string::npos);
-    EXPECT_EQ(textOf(csv).rfind("curve,samples,seconds,estimated_error\n", 0), 0U);
+    EXPECT_EQ(textOf(csv).rfind("curve,samples,seconds,estimated_error,error_to_reference\n", 0), 0U);
     EXPECT_FALSE(screen.gui.execute(Command::parse("chart-save file=c.png")));
     EXPECT_FALSE(screen.gui.execute(Command::parse("curve n=99 pin=on")));
     EXPECT_FALSE(screen.gui.execute(Command::parse("curve pin=on")));

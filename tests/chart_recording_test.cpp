@@ -38,8 +38,8 @@ void record(ChartRecording& chart, const Document& document, RenderSession& sess
     for (int samples = 1; samples <= most; samples *= 2) {
         session.holdAt(samples);
         while (session.status().samples < samples) session.wait(std::chrono::milliseconds(1));
-        EXPECT_TRUE(chart.update(session, {}));
-        EXPECT_FALSE(chart.update(session, {})) << "nothing new";
+        EXPECT_TRUE(chart.update(session));
+        EXPECT_FALSE(chart.update(session)) << "nothing new";
     }
     session.holdAt(0);
     session.stop();
@@ -69,7 +69,7 @@ TEST(ChartRecording, TakesNothingWhileItIsOff) {
     session.start(buildWorld(document.scene, {}), document.camera, document.render);
     chart.begin(document, document, kWidth, kHeight);
     while (session.status().samples < 2) session.wait(std::chrono::milliseconds(1));
-    EXPECT_FALSE(chart.update(session, {}));
+    EXPECT_FALSE(chart.update(session));
     EXPECT_TRUE(chart.curves()[0].points.empty());
 }
 
@@ -118,6 +118,30 @@ TEST(ChartRecording, IsWrittenWithEveryPoint) {
     ASSERT_EQ(plot.series.size(), 1U);
     EXPECT_EQ(plot.series[0].points.size(), 3U);
     EXPECT_EQ(plot.series[0].points[2].label, "×8");
+}
+
+TEST(ChartRecording, MeasuresAllPointsAgainstAReferenceUntilTheViewChanges) {
+    const Document document = documentOf(Method::Path);
+    const Document cast = apply(document, Command::parse("set method=cast"));
+    ChartRecording chart;
+    chart.setOn(true);
+    RenderSession session(2);
+    record(chart, cast, session, 8);
+    const ColorImage simple = session.image();
+    record(chart, document, session, 64);
+    const ColorImage truth = session.image();
+    chart.takeReference(1);
+    EXPECT_DOUBLE_EQ(chart.errorOf(chart.curves()[0].points.back()), rmse(simple, truth))
+        << "a point from before; pictures so small are kept whole";
+    EXPECT_EQ(chart.errorOf(chart.curves()[1].points.back()), 0);
+    EXPECT_EQ(plotOf(chart).yTitle, "RMSE to path d5 ×64");
+    chart.pin(0, true);
+    Document moved = document;
+    moved.camera.eye.y += 1;
+    chart.begin(document, moved, kWidth, kHeight);
+    EXPECT_FALSE(chart.reference());
+    EXPECT_EQ(chart.errorOf(chart.curves()[0].points.back()), chart.curves()[0].points.back().error);
+    EXPECT_THROW(chart.takeReference(1), InputError);
 }
 
 TEST(ChartRecording, NamesASettingByWhatDiffersFromTheScene) {

@@ -17,6 +17,8 @@ constexpr float kNameWidth = 22;    // at most, in letters' heights
 constexpr float kPictureWidth = 15; // of the picture beside the pointer, in letters' heights
 constexpr std::size_t kNameBytes = 64;
 
+using Arguments = std::vector<Command::Argument>;
+
 void controls(const Widgets& ui) {
     bool on = ui.viewer.recording().on();
     if (ImGui::Checkbox("Record", &on)) ui.execute({"chart", {{"on", toText(on)}}}, {});
@@ -52,6 +54,12 @@ void nameField(const Widgets& ui, const RecordedCurve& curve, const std::string&
     ui.mark("curve name " + n);
 }
 
+bool isReference(const ChartRecording& recording, const RecordedCurve& curve) {
+    const auto& reference = recording.reference();
+    return reference && !curve.points.empty() && reference->name == curve.name &&
+           reference->picture == curve.points.back().picture;
+}
+
 void row(const Widgets& ui, const RecordedCurve& curve, const std::string& n, float nameWidth) {
     ImGui::PushID(n.c_str());
     colorButton(ui, curve, n);
@@ -62,6 +70,12 @@ void row(const Widgets& ui, const RecordedCurve& curve, const std::string& n, fl
     if (ImGui::Checkbox("pin", &pinned)) ui.execute({"curve", {{"n", n}, {"pin", toText(pinned)}}}, {});
     ui.mark("curve pin " + n);
     ui.tooltip("keeps the curve when the view changes");
+    ImGui::SameLine();
+    bool right = isReference(ui.viewer.recording(), curve);
+    if (ImGui::Checkbox("right", &right))
+        ui.execute({"chart-reference", right ? Arguments{{"n", n}} : Arguments{}}, {});
+    ui.mark("curve right " + n);
+    ui.tooltip("takes its latest picture as right, and measures all errors against it");
     ImGui::SameLine();
     if (ImGui::Button("×")) ui.execute({"curve-remove", {{"n", n}}}, {});
     ui.mark("curve remove " + n);
@@ -74,9 +88,7 @@ void row(const Widgets& ui, const RecordedCurve& curve, const std::string& n, fl
 void ChartView::plot(const Widgets& ui) {
     const ChartRecording& recording = ui.viewer.recording();
     const std::vector<RecordedCurve>& curves = recording.curves();
-    std::vector<std::size_t> drawn; // the series of the plot are curves with points
-    for (std::size_t i = 0; i < curves.size(); ++i)
-        if (!curves[i].points.empty()) drawn.push_back(i);
+    const std::vector<std::size_t> drawn = recording.drawn(); // the series of the plot
     if (drawn.empty())
         return dimmedText(recording.on()
                               ? "waiting for the second sample of each pixel"
@@ -88,22 +100,23 @@ void ChartView::plot(const Widgets& ui) {
     ui.mark("chart plot");
     if (!hovered) return;
     const std::size_t curve = drawn[hovered->series];
-    tell(curves[curve], curves[curve].points[hovered->point]);
+    tell(ui, curves[curve], curves[curve].points[hovered->point]);
     if (ImGui::IsMouseClicked(0)) ui.execute({"curve-return", {{"n", fmt::format("{}", curve)}}}, {});
 }
 
 /// Beside the pointer: the picture as it was at this point.
-void ChartView::tell(const RecordedCurve& curve, const RecordedPoint& point) {
-    if (!(shown_ == point.picture)) {
-        shown_ = point.picture;
+void ChartView::tell(const Widgets& ui, const RecordedCurve& curve, const RecordedPoint& point) {
+    const ByteImage picture = display(point.picture, shownDisplay(ui.viewer.document().render));
+    if (!(shown_ == picture)) {
+        shown_ = picture;
         picture_.upload(shown_);
     }
     const float width = kPictureWidth * ImGui::GetFontSize();
     const float height = width * static_cast<float>(shown_.height()) / static_cast<float>(shown_.width());
     ImGui::BeginTooltip();
     ImGui::TextUnformatted(curve.name.c_str());
-    ImGui::Text("%d samples, %s s, error about %s", point.samples, shortNumber(point.seconds).c_str(),
-                shortNumber(point.error).c_str());
+    ImGui::Text("%d samples, %s s, error %s", point.samples, shortNumber(point.seconds).c_str(),
+                shortNumber(ui.viewer.recording().errorOf(point)).c_str());
     ImGui::Image(textureId(picture_), {width, height});
     ImGui::TextDisabled("click: back to these settings");
     ImGui::EndTooltip();
@@ -115,7 +128,7 @@ void ChartView::list(const Widgets& ui) const {
     const std::vector<RecordedCurve> curves = ui.viewer.recording().curves(); // commands change them
     const float letter = ImGui::GetFontSize();
     const float width =
-        std::clamp(ImGui::GetContentRegionAvail().x - 9 * letter, 4 * letter, kNameWidth * letter);
+        std::clamp(ImGui::GetContentRegionAvail().x - 14 * letter, 4 * letter, kNameWidth * letter);
     for (std::size_t i = curves.size(); i-- > 0;)
         if (!curves[i].points.empty()) row(ui, curves[i], fmt::format("{}", i), width);
     ImGui::EndChild();

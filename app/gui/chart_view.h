@@ -16,7 +16,7 @@ public:
     void list(const Widgets&) const;
 
 private:
-    void tell(const RecordedCurve&, const RecordedPoint&);
+    void tell(const Widgets&, const RecordedCurve&, const RecordedPoint&);
 
     GlTexture picture_; // of the point under the pointer
     ByteImage shown_;

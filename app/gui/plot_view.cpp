@@ -81,6 +81,7 @@ private:
         const PlotSeries& series = plot_.series[index];
         const ImU32 color = colorOf(series);
         std::vector<ImVec2> line;
+        line.reserve(series.points.size());
         for (const PlotPoint& point : series.points) line.push_back(of(placeOf(point)));
         list_.AddPolyline(line.data(), static_cast<int>(line.size()), color, 0, 0.12F * letter_);
         for (std::size_t i = 0; i < line.size(); ++i) {

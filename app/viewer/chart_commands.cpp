@@ -42,6 +42,14 @@ void curveRemove(Viewer& viewer, const Command& command) {
     viewer.recording().remove(curveOf(viewer, command));
 }
 
+void chartReference(Viewer& viewer, const Command& command) {
+    command.allowOnly({"n"});
+    if (command.find("n"))
+        viewer.recording().takeReference(curveOf(viewer, command));
+    else
+        viewer.recording().dropReference();
+}
+
 void chartSave(Viewer& viewer, const Command& command) {
     command.allowOnly({"file", "format"});
     constexpr std::array<std::string_view, 2> kFormats = {"svg", "csv"};

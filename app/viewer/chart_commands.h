@@ -10,6 +10,7 @@ class Viewer;
 void curve(Viewer&, const Command&);
 void curveReturn(Viewer&, const Command&);
 void curveRemove(Viewer&, const Command&);
+void chartReference(Viewer&, const Command&);
 void chartSave(Viewer&, const Command&);
 
 }

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "app/document/settings.h"
+#include "core/base/errors.h"
 #include "core/image/metrics.h"
 #include "core/study/palette.h"
 
@@ -18,12 +19,12 @@ constexpr int kSmallWidth = 320;      // of kept pictures, pixels
 constexpr double kLeastGrowth = 1.5;  // of samples between two points
 
 /// Every step-th pixel.
-ByteImage small(const ColorImage& picture, const DisplaySettings& settings) {
+ColorImage small(const ColorImage& picture) {
     const int step = std::max(1, picture.width() / kSmallWidth);
     ColorImage fewer(std::max(1, picture.width() / step), std::max(1, picture.height() / step));
     for (int y = 0; y < fewer.height(); ++y)
         for (int x = 0; x < fewer.width(); ++x) fewer.at(x, y) = picture.at(x * step, y * step);
-    return display(fewer, settings);
+    return fewer;
 }
 
 bool sameView(const Document& a, const Document& b) { return a.scene == b.scene && a.camera == b.camera; }
@@ -55,6 +56,7 @@ void ChartRecording::begin(const Document& original, const Document& now, int wi
     std::erase_if(curves_, [&](const RecordedCurve& curve) {
         return !curve.pinned && (curve.points.empty() || !sameSize || !sameView(curve.document, now));
     });
+    if (reference_ && (!sameSize || !sameView(reference_->document, now))) reference_.reset();
     const auto loose = [](const RecordedCurve& curve) { return !curve.pinned; };
     if (std::ranges::count_if(curves_, loose) >= static_cast<std::ptrdiff_t>(kMostLoose))
         curves_.erase(std::ranges::find_if(curves_, loose));
@@ -72,7 +74,7 @@ int ChartRecording::freeColor() const {
     return best;
 }
 
-bool ChartRecording::update(const RenderSession& session, const DisplaySettings& settings) {
+bool ChartRecording::update(const RenderSession& session) {
     if (!on_ || curves_.empty()) return false;
     const RenderStatus before = session.status();
     const bool due = before.samples >= std::max(1, 2 * lastSamples_) ||
@@ -84,9 +86,8 @@ bool ChartRecording::update(const RenderSession& session, const DisplaySettings&
         return false; // a pass has ended meanwhile: the next frame will do
     if (lastSamples_ > 0) {
         const double a = lastSamples_, b = before.samples;
-        curves_.back().points.push_back({before.samples, before.seconds,
-                                         rmse(picture, last_) * std::sqrt(a / (b - a)),
-                                         small(picture, settings)});
+        curves_.back().points.push_back(
+            {before.samples, before.seconds, rmse(picture, last_) * std::sqrt(a / (b - a)), small(picture)});
     }
     last_ = std::move(picture);
     lastSamples_ = before.samples;
@@ -95,6 +96,7 @@ bool ChartRecording::update(const RenderSession& session, const DisplaySettings&
 
 void ChartRecording::clear() {
     curves_.clear();
+    reference_.reset();
     last_ = {};
     lastSamples_ = 0;
 }
@@ -106,48 +108,80 @@ void ChartRecording::remove(std::size_t curve) {
         curves_.erase(curves_.begin() + static_cast<std::ptrdiff_t>(curve));
 }
 
+void ChartRecording::takeReference(std::size_t curve) {
+    const RecordedCurve& taken = curves_.at(curve);
+    if (taken.points.empty())
+        throw InputError(fmt::format("chart-reference n={}", curve), "this curve has no point yet",
+                         "wait a moment");
+    const RecordedPoint& last = taken.points.back();
+    reference_ = ChartReference{taken.name, last.samples, last.picture, taken.document};
+}
+
+std::vector<std::size_t> ChartRecording::drawn() const {
+    std::vector<std::size_t> drawn;
+    for (std::size_t i = 0; i < curves_.size(); ++i) {
+        const RecordedCurve& curve = curves_[i];
+        if (curve.points.empty()) continue;
+        const ColorImage& picture = curve.points.back().picture;
+        const bool comparable = !reference_ || (sameView(curve.document, reference_->document) &&
+                                                picture.width() == reference_->picture.width() &&
+                                                picture.height() == reference_->picture.height());
+        if (comparable) drawn.push_back(i);
+    }
+    return drawn;
+}
+
+double ChartRecording::errorOf(const RecordedPoint& point) const {
+    return reference_ ? rmse(point.picture, reference_->picture) : point.error;
+}
+
 Plot plotOf(const ChartRecording& recording) {
+    const auto& reference = recording.reference();
     Plot plot{.title = {},
               .xTitle = "seconds of tracing",
-              .yTitle = "estimated error (RMSE of linear light)",
+              .yTitle = reference ? fmt::format("RMSE to {} ×{}", reference->name, reference->samples)
+                                  : "estimated error (RMSE of linear light)",
               .x = {},
               .y = {},
               .series = {}};
-    for (const RecordedCurve& curve : recording.curves()) {
-        if (curve.points.empty()) continue;
+    for (const std::size_t i : recording.drawn()) {
+        const RecordedCurve& curve = recording.curves()[i];
         PlotSeries series{.name = curve.name, .color = curve.color, .points = {}};
-        for (const RecordedPoint& point : curve.points)
-            series.points.push_back(
-                {point.seconds,
-                 point.error,
-                 {},
-                 fmt::format("{}\n{} samples, {} s\nestimated error {}", curve.name, point.samples,
-                             shortNumber(point.seconds), shortNumber(point.error))});
+        for (const RecordedPoint& point : curve.points) {
+            const double error = recording.errorOf(point);
+            series.points.push_back({point.seconds,
+                                     error,
+                                     {},
+                                     fmt::format("{}\n{} samples, {} s\nerror {}", curve.name, point.samples,
+                                                 shortNumber(point.seconds), shortNumber(error))});
+        }
         plot.series.push_back(std::move(series));
     }
     fitAxes(plot, Scale::Log, Scale::Log);
     if (plot.series.empty()) return plot;
     // The latest curve alone has labels: the samples of all are much the same.
-    const auto latest =
-        std::ranges::find_if(recording.curves().rbegin(), recording.curves().rend(),
-                             [](const RecordedCurve& curve) { return !curve.points.empty(); });
+    const RecordedCurve& latest = recording.curves()[recording.drawn().back()];
     std::vector<PlotPoint>& points = plot.series.back().points;
     for (std::size_t i = 0; i < points.size(); ++i)
-        points[i].label = fmt::format("×{}", latest->points[i].samples);
-    if (const PlotPoint& first = points.front(); first.y > 0) {
+        points[i].label = fmt::format("×{}", latest.points[i].samples);
+    if (const PlotPoint& first = points.front(); first.y > 0)
         plot.guides.push_back({first.x, first.y, -0.5, "slope −½: Monte Carlo"});
-    }
     return plot;
 }
 
 std::string csvOf(const ChartRecording& recording) {
-    std::string text = "curve,samples,seconds,estimated_error\n";
-    for (const RecordedCurve& curve : recording.curves())
+    std::string text = "curve,samples,seconds,estimated_error,error_to_reference\n";
+    const std::vector<std::size_t> drawn = recording.drawn();
+    for (std::size_t i = 0; i < recording.curves().size(); ++i) {
+        const RecordedCurve& curve = recording.curves()[i];
+        const bool compared = recording.reference() && std::ranges::find(drawn, i) != drawn.end();
         for (const RecordedPoint& point : curve.points) {
             std::string name;
             for (const char c : curve.name) name += c == '"' ? std::string("\"\"") : std::string(1, c);
-            text += fmt::format("\"{}\",{},{},{}\n", name, point.samples, point.seconds, point.error);
+            text += fmt::format("\"{}\",{},{},{},{}\n", name, point.samples, point.seconds, point.error,
+                                compared ? fmt::format("{}", recording.errorOf(point)) : "");
         }
+    }
     return text;
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 // Time against error of the pictures that a person looks at, while they refine.
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -14,7 +15,7 @@ struct RecordedPoint {
     int samples = 0;
     double seconds = 0; // of tracing
     double error = 0;   // estimated root mean square of linear light
-    ByteImage picture;  // as displayed, small
+    ColorImage picture; // radiance of every few pixels, a fair sample of all
 };
 
 /// One picture under one setting.
@@ -24,6 +25,14 @@ struct RecordedCurve {
     bool pinned = false; // stays until a person takes it away
     Document document;   // to return to
     std::vector<RecordedPoint> points;
+};
+
+/// A picture that is taken as right.
+struct ChartReference {
+    std::string name;
+    int samples = 0;
+    ColorImage picture; // as RecordedPoint::picture
+    Document document;
 };
 
 /// Name of a setting: method, depth, and what else differs from the scene's own: "path d5 shadows=off".
@@ -42,7 +51,7 @@ public:
     /// Takes a point whenever the number of samples has doubled, if recording is on; true for a new one. How
     /// far a picture b lies from its own earlier state a tells its error: of independent samples the variance
     /// of b − a is (b − a)/a times that of b.
-    bool update(const RenderSession&, const DisplaySettings&);
+    bool update(const RenderSession&);
 
     /// Ends all curves, for another scene is there.
     void clear();
@@ -57,6 +66,17 @@ public:
     /// Takes a curve away; the current one begins again with its next point.
     void remove(std::size_t curve);
 
+    /// Takes the latest picture of a curve as right: errors are measured against it from now on, those of all
+    /// points that are there too. Until the view changes. Throws InputError if the curve has no point.
+    void takeReference(std::size_t curve);
+    void dropReference() { reference_.reset(); }
+    const std::optional<ChartReference>& reference() const { return reference_; }
+
+    /// Curves that have points and, where there is a reference, are of its view.
+    std::vector<std::size_t> drawn() const;
+    /// To the reference if there is one, else as estimated.
+    double errorOf(const RecordedPoint&) const;
+
 private:
     int freeColor() const;
 
@@ -65,9 +85,10 @@ private:
     std::vector<RecordedCurve> curves_;
     ColorImage last_; // the picture of the point before
     int lastSamples_ = 0;
+    std::optional<ChartReference> reference_;
 };
 
-/// Curves that have points; the latest with its samples beside each, and the slope of Monte Carlo from its
+/// The curves drawn; the latest with its samples beside each, and the slope of Monte Carlo from its
 /// first.
 Plot plotOf(const ChartRecording&);
 

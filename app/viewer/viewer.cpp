@@ -137,7 +137,7 @@ bool Viewer::update() {
     const bool started = startRendering();
     const bool metered = meterExposure();
     const bool compared = updateComparison(), layered = updateLayer(), lit = updatePhotons();
-    const bool charted = recording_.update(*session_, shownDisplay(document().render));
+    const bool charted = recording_.update(*session_);
     const RenderStatus now = session_->status();
     const bool finished = lastPhase_ != now.phase || lastSamples_ != now.samples;
     if (now.phase != lastPhase_) retraceGrid();

@@ -12,7 +12,7 @@
 
 namespace eyeray {
 
-struct PlotPoint {
+struct PlotPoint { // NOLINTBEGIN(readability-redundant-member-init): GCC warns of members left out without
     double x = 0, y = 0;
     std::string label = {}; // beside it; none: no label
     std::string hover = {}; // shown while the pointer is on it; lines end in '\n'
@@ -43,7 +43,7 @@ struct Plot {
     Axis x, y;
     std::vector<PlotSeries> series;
     std::vector<PlotGuide> guides = {};
-};
+}; // NOLINTEND(readability-redundant-member-init)
 
 /// Axes around all points of the series and their ranges.
 void fitAxes(Plot&, Scale x, Scale y);

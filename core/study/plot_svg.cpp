@@ -135,6 +135,7 @@ private:
 
     void drawLine(const PlotSeries& series) {
         std::vector<Vec2> line;
+        line.reserve(series.points.size());
         for (const PlotPoint& point : series.points) line.push_back(frame_.place(point.x, point.y).at);
         if (line.size() > 1) stroke(series, line);
     }

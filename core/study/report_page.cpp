@@ -58,12 +58,11 @@ std::string variables(const Ground& ground) {
 
 /// The light colours first, which the dark ones replace on screens that prefer them.
 std::string style() {
-    std::string result =
-        fmt::format(":root {{ {} --marked: #e3ecf8; }}\n"
-                    "@media screen and (prefers-color-scheme: dark) {{ :root {{ {} --marked: "
-                    "#2b3346; }} }}",
-                    variables(groundOf(false)), variables(groundOf(true)));
-    return result + kStyle;
+    return fmt::format(":root {{ {} --marked: #e3ecf8; }}\n"
+                       "@media screen and (prefers-color-scheme: dark) {{ :root {{ {} --marked: "
+                       "#2b3346; }} }}",
+                       variables(groundOf(false)), variables(groundOf(true))) +
+           kStyle;
 }
 
 bool looksLikeNumber(std::string_view cell) {

@@ -30,6 +30,7 @@ public:
         std::uint32_t color = 0;
         Anchor anchor = Anchor::Start;
         bool bold = false;
+        // NOLINTNEXTLINE(readability-redundant-member-init): GCC warns of members left out without
         std::optional<std::uint32_t> halo = {}; // around the letters, over what lies below
         bool upward = false;                    // read from below to above
     };

@@ -58,10 +58,11 @@ std::vector<Tick> linearTicks(const Axis& axis, int most) {
     const auto first = [&] { return std::ceil(axis.low / step - kSlack); };
     const auto last = [&] { return std::floor(axis.high / step + kSlack); };
     if (last() - first() + 1 > most) step = roundStep(step * 1.5);
-    const double largest = std::max(std::abs(axis.low), std::abs(axis.high));
+    const double largest = std::max(std::abs(axis.low), std::abs(axis.high)), from = first();
+    const int count = static_cast<int>(last() - from) + 1;
     std::vector<Tick> ticks;
-    for (double i = first(); i <= last(); ++i) {
-        const double value = i == 0 ? 0 : i * step;
+    for (int i = 0; i < count; ++i) {
+        const double value = from + i == 0 ? 0 : (from + i) * step;
         ticks.push_back({value, linearLabel(value, step, largest)});
     }
     return ticks;
@@ -70,7 +71,9 @@ std::vector<Tick> linearTicks(const Axis& axis, int most) {
 /// Marks at these multiples of each power of ten that lies on the axis.
 std::vector<double> inDecades(const Axis& axis, std::span<const int> mantissas) {
     std::vector<double> values;
-    for (double power = std::floor(std::log10(axis.low)) - 1; power <= std::log10(axis.high) + 1; ++power)
+    const int first = static_cast<int>(std::floor(std::log10(axis.low))) - 1;
+    const int last = static_cast<int>(std::ceil(std::log10(axis.high)));
+    for (int power = first; power <= last; ++power)
         for (const int mantissa : mantissas)
             if (const double value = mantissa * std::pow(10, power); isOn(axis, value))
                 values.push_back(value);
@@ -144,7 +147,7 @@ std::string shortNumber(double value, int digits) {
     const double rounded = std::abs(std::stod(scientific));
     if (rounded >= kPlainLow && rounded < kPlainHigh)
         return fmt::format("{:.{}f}", std::stod(scientific), std::max(0, digits - 1 - power));
-    std::string mantissa = scientific.substr(0, e);
+    const std::string mantissa = scientific.substr(0, e);
     if (mantissa == "1" || mantissa == "-1")
         return mantissa.substr(0, mantissa.size() - 1) + "10" + superscript(power);
     return mantissa + "·10" + superscript(power);
