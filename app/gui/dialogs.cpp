@@ -69,6 +69,7 @@ void importReport(const Widgets& ui) {
         const char* heading;
     };
     for (const Group& group : {Group{ImportReport::Kind::Added, "Added, since the file has none"},
+                               Group{ImportReport::Kind::Doubtful, "May look wrong"},
                                Group{ImportReport::Kind::Repaired, "Mended"},
                                Group{ImportReport::Kind::Ignored, "Read, but not shown"}}) {
         bool first = true;

@@ -12,9 +12,10 @@
 
 namespace eyeray {
 
-/// What an import did that the file did not say, or left out; one line each, for the user.
+/// What an import did that the file did not say, or left out, and what cannot look right; one line each, for
+/// the user.
 struct ImportReport {
-    enum class Kind : std::uint8_t { Ignored, Repaired, Added };
+    enum class Kind : std::uint8_t { Ignored, Repaired, Added, Doubtful };
     struct Line {
         Kind kind;
         std::string text; // "materials[2]: normalTexture is not shown"

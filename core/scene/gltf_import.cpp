@@ -6,6 +6,7 @@
 
 #include "core/base/errors.h"
 #include "core/image/atomic_file.h"
+#include "core/scene/geometry_notes.h"
 
 namespace eyeray {
 
@@ -26,8 +27,9 @@ Scene import(std::span<const std::byte> file, const std::string& where, const Gl
         const auto meshes = importMeshes(context);
         importNodes(context, shapes, meshes);
         completeScene(context, litOnPurpose);
-        notes.finish();
         validate(scene);
+        noteGeometry(scene, notes, stop);
+        notes.finish();
         return scene;
     } catch (const ImportStopped&) {
         return {};

@@ -16,6 +16,7 @@ public:
 
     void added(const std::string& text) { write(ImportReport::Kind::Added, text); }
     void repaired(const std::string& text) { write(ImportReport::Kind::Repaired, text); }
+    void doubtful(const std::string& text) { write(ImportReport::Kind::Doubtful, text); }
     void ignored(const std::string& text) { write(ImportReport::Kind::Ignored, text); }
 
     /// Counts one more of `owner` whose `feature` is left out, such as ("normalTexture", "material").
