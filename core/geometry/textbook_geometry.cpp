@@ -50,7 +50,8 @@ std::optional<Hit> meetsTriangle(const TriangleCorners& corners, bool doubleSide
     const textbook::RayOf<T> wide(ray);
     const auto normal = glm::cross(vertices[1] - vertices[0], vertices[2] - vertices[0]);
     if (!doubleSided && !(glm::dot(normal, wide.direction) < 0)) return {};
-    const auto hit = textbook::intersectTriangle<T>(vertices, wide, static_cast<T>(0));
+    const auto hit =
+        textbook::intersectTriangle<T>(vertices, wide, static_cast<T>(textbook::kMollerTrumboreEpsilon));
     if (!hit) return {};
     return Hit{
         .t = static_cast<float>(hit->t), .u = static_cast<float>(hit->u), .v = static_cast<float>(hit->v)};
