@@ -86,7 +86,7 @@ void endProgress() { fmt::print(stderr, "\r\033[K"); }
 
 PictureState stateOf(const RenderJob& job) {
     PictureState state{job.opened.reference, job.opened.sha256, {}};
-    for (const Command& command : commandsBetween(makeDocument(job.document.scene), job.document))
+    for (const Command& command : commandsBetween(originalOf(job.document), job.document))
         state.commands.push_back(command.text());
     return state;
 }

@@ -13,8 +13,10 @@ int run(const ScenesOptions&) {
         throw Failure(assetsFolder().string(), "the built-in scenes are missing", "install Eyeray again");
     std::size_t widest = 0;
     for (const BuiltinScene& scene : scenes) widest = std::max(widest, scene.name.size());
+    for (const LabDemo& demo : labDemos()) widest = std::max(widest, demo.name.size());
     for (const BuiltinScene& scene : scenes)
         fmt::print("{:<{}}  {}\n", scene.name, widest, scene.whatToLookAt);
+    for (const LabDemo& demo : labDemos()) fmt::print("{:<{}}  {}\n", demo.name, widest, demo.why);
     return 0;
 }
 

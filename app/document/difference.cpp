@@ -185,6 +185,12 @@ void addSceneChanges(std::vector<Command>& commands, const Scene& from, const Sc
 }
 
 std::vector<Command> commandsBetween(const Document& from, const Document& to) {
+    if (from.lab != nullptr && from.lab == to.lab && from.labValue != to.labValue) {
+        const Command slid("lab", {{"value", toText(to.labValue)}});
+        std::vector<Command> commands = commandsBetween(apply(from, slid), to);
+        commands.insert(commands.begin(), slid);
+        return commands;
+    }
     std::vector<Command> commands;
     for (const Command& command : {changedSettings(from, to), changedCamera(from.camera, to.camera)})
         if (!command.arguments().empty()) commands.push_back(command);

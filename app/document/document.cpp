@@ -36,7 +36,7 @@ std::span<const DocumentCommand> documentCommands() {
     static const std::vector<DocumentCommand> all = [] {
         std::vector<DocumentCommand> commands;
         for (const auto group : {renderingCommands(), cameraCommands(), objectCommands(), lightCommands(),
-                                 materialCommands(), viewCommands()})
+                                 materialCommands(), viewCommands(), labCommands()})
             commands.insert(commands.end(), group.begin(), group.end());
         return commands;
     }();

@@ -10,6 +10,7 @@
 #include "core/scene/camera.h"
 #include "core/scene/scene.h"
 #include "core/scene/world.h"
+#include "core/study/lab.h"
 #include "core/study/layer.h"
 
 namespace eyeray {
@@ -28,6 +29,7 @@ struct Comparison {
     double split = 0.5;               // share of the width, from the left, that shows the other side
     bool difference = false;          // in place of both sides: gain · |this − other|
     double gain = 1;
+    bool marks = false; // pixels of the other side that are wrong beside this one
 
     bool isRasterised() const { return with == kRasterised; }
     friend bool operator==(const Comparison&, const Comparison&) = default;
@@ -44,11 +46,19 @@ struct Document {
     Comparison comparison;
     int selectedObject = -1;
     std::optional<PixelPosition> pixel; // picked
+    const LabDemo* lab = nullptr;       // the demonstration that the scene is of, if of one
+    double labValue = 0;                // of its slider
 };
 
 /// A document that shows the scene as it asks to be shown. Throws InputError if one of the scene's own
 /// settings is wrong.
 Document makeDocument(std::shared_ptr<const Scene>);
+
+/// A demonstration of the failure lab: its scene, with the naive side on the left and wrong pixels marked.
+Document labDocument(const LabDemo&, double value);
+
+/// The document as its scene alone asks for it.
+Document originalOf(const Document&);
 
 /// The document after a command; see documentCommands(). Throws InputError for a command or argument it does
 /// not know.

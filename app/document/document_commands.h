@@ -28,6 +28,7 @@ std::span<const DocumentCommand> objectCommands();    // select object move
 std::span<const DocumentCommand> lightCommands();     // light add-light remove-light ambient environment
 std::span<const DocumentCommand> materialCommands();  // material
 std::span<const DocumentCommand> viewCommands();      // layer compare
+std::span<const DocumentCommand> labCommands();       // lab mark-wrong
 
 /// Index from `key=`: a number, else the name of one of `items`. Throws InputError if there is none.
 template <class Items>

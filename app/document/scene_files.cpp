@@ -44,15 +44,25 @@ OpenedScene openFile(const fs::path& path, const std::string& reference, const s
     return opened;
 }
 
+OpenedScene openLab(const LabDemo& demo) {
+    OpenedScene opened;
+    opened.reference = demo.name;
+    opened.document = labDocument(demo, demo.slider.start);
+    opened.sha256 = sha256Hex(std::as_bytes(std::span(demo.name)));
+    return opened;
+}
+
 OpenedScene openPicture(const fs::path& picture, const std::stop_token& stop) {
     const PictureState state = readPictureState(picture);
     const fs::path builtin = builtinPath(state.scene), file = picture.parent_path() / state.scene;
     std::error_code error;
-    if (builtin.empty() && !fs::exists(file, error))
+    const LabDemo* const demo = labDemoNamed(state.scene);
+    if (demo == nullptr && builtin.empty() && !fs::exists(file, error))
         throw InputError(picture.string(), fmt::format("its scene {} is missing", state.scene),
                          "put the scene file back where it was, as seen from the picture");
-    OpenedScene opened =
-        builtin.empty() ? openFile(file, file.string(), stop) : openFile(builtin, state.scene, stop);
+    OpenedScene opened = demo != nullptr   ? openLab(*demo)
+                         : builtin.empty() ? openFile(file, file.string(), stop)
+                                           : openFile(builtin, state.scene, stop);
     if (opened.sha256 != state.sha256)
         opened.report.lines.push_back(
             {ImportReport::Kind::Repaired,
@@ -84,6 +94,7 @@ std::vector<BuiltinScene> builtinScenes() {
 }
 
 OpenedScene openScene(const std::string& nameOrPath, const std::stop_token& stop) {
+    if (const LabDemo* const demo = labDemoNamed(nameOrPath)) return openLab(*demo);
     if (const fs::path builtin = builtinPath(nameOrPath); !builtin.empty())
         return openFile(builtin, nameOrPath, stop);
     const fs::path path = nameOrPath;

@@ -53,12 +53,24 @@ std::string changeText(const PictureChange& change) {
                        change.samples, change.samples == 1 ? "" : "s");
 }
 
+std::vector<std::string> wrongLines(const PictureChange& change) {
+    const double light = change.lightHere > 0 ? 100 * (change.lightThere / change.lightHere - 1) : 0;
+    return {fmt::format("{} pixels wrong ({:.2f} %), light {:+.1f} %", countText(change.wrong),
+                        percent(change.wrong, change.pixels), light),
+            fmt::format("{:.2f} s | {:.2f} s for {} sample{}", change.secondsThere, change.secondsHere,
+                        change.samples, change.samples == 1 ? "" : "s")};
+}
+
 void CompareView::refresh(const Viewer& viewer) {
     const Document& document = viewer.document();
     const Comparison& comparison = document.comparison;
     if (const RenderSession* const session = viewer.comparison().session())
         other_.refresh(*session, shownDisplay(otherSide(document).render));
     const auto& change = viewer.comparison().change();
+    if (comparison.marks && change && change != marked_) {
+        marked_ = change;
+        marks_.upload(change->marks);
+    }
     if (!comparison.difference || !change) return;
     const auto gain = static_cast<float>(comparison.gain);
     const DisplaySettings display = shownDisplay(document.render);
@@ -98,6 +110,9 @@ void CompareView::draw(const Widgets& ui, const GlTexture& raster, ImVec2 corner
     if (other.width() == 0) return;
     const float line = wholly ? opposite.x : lineAt(document, corner, size);
     list.AddImage(textureId(other), corner, {line, opposite.y}, {0, 0}, {(line - corner.x) / size.x, 1});
+    const bool marked = document.comparison.marks && marked_ == ui.viewer.comparison().change();
+    if (marked && marks_.width() > 0)
+        list.AddImage(textureId(marks_), corner, {line, opposite.y}, {0, 0}, {(line - corner.x) / size.x, 1});
     if (!wholly) splitLine(ui, corner, size);
 }
 
@@ -123,6 +138,8 @@ void CompareView::splitLine(const Widgets& ui, ImVec2 corner, ImVec2 size) const
 void CompareView::legend(const Widgets& ui, const LegendPlace& place) const {
     const Comparison& comparison = ui.viewer.document().comparison;
     const auto& change = ui.viewer.comparison().change();
+    if (ui.viewer.document().lab != nullptr && !comparison.difference)
+        return legendPane(ui, "lab legend", place, [&] { labLegend(ui); });
     legendPane(ui, "compare legend", place, [&] {
         if (comparison.difference) {
             const SideNames names = sideNames(ui.viewer.document());
@@ -134,6 +151,23 @@ void CompareView::legend(const Widgets& ui, const LegendPlace& place) const {
         ImGui::TextWrapped("%s | %s rays", countText(change->there.total()).c_str(),
                            countText(change->here.total()).c_str());
     });
+}
+
+/// What the class reads off: how wrong the left side is, why, and what mends it.
+void CompareView::labLegend(const Widgets& ui) {
+    const Document& document = ui.viewer.document();
+    const LabDemo& demo = *document.lab;
+    const auto& change = ui.viewer.comparison().change();
+    const std::string slider = fmt::format("{}: {}", demo.slider.label, toText(document.labValue));
+    if (change) {
+        const std::vector<std::string> lines = wrongLines(*change);
+        ImGui::TextWrapped("%s", fmt::format("{}   {}", slider, lines[0]).c_str());
+        dimmedText(lines[1]);
+    } else {
+        ImGui::TextWrapped("%s   tracing both sides", slider.c_str());
+    }
+    ImGui::TextWrapped("%s", std::string(demo.why).c_str());
+    dimmedText(std::string(demo.fix));
 }
 
 }

@@ -12,11 +12,43 @@ constexpr int kNeverBySamples = 1 << 30;
 
 int following(int samples) { return samples < kEvenStep ? 2 * samples : samples + kEvenStep; }
 
+/// Over each wrong pixel a veil in a colour that no scene has; of few ones, so that they are seen, a blot
+/// over their neighbours as well.
+ByteImage marksOf(const std::vector<std::pair<int, int>>& wrong, int width, int height) {
+    constexpr Rgba8 kVeil{255, 0, 200, 140}, kBlot{255, 0, 200, 255};
+    constexpr std::size_t kFew = 400; // one in so many pixels
+    const bool few = wrong.size() * kFew < static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
+    const int reach = few ? 1 : 0;
+    ByteImage marks(width, height, {0, 0, 0, 0});
+    for (const auto& [x, y] : wrong)
+        for (int j = std::max(0, y - reach); j <= std::min(y + reach, height - 1); ++j)
+            for (int i = std::max(0, x - reach); i <= std::min(x + reach, width - 1); ++i)
+                marks.at(i, j) = few ? kBlot : kVeil;
+    return marks;
+}
+
+void mark(PictureChange& change, const ByteImage& ours, const ByteImage& theirs) {
+    std::vector<std::pair<int, int>> wrong;
+    for (int y = 0; y < ours.height(); ++y)
+        for (int x = 0; x < ours.width(); ++x)
+            if (clearlyDiffers(ours.at(x, y), theirs.at(x, y))) wrong.emplace_back(x, y);
+    change.changed = countDifferingPixels(ours, theirs);
+    change.wrong = wrong.size();
+    change.marks = marksOf(wrong, ours.width(), ours.height());
+}
+
+double meanLuminance(const ColorImage& image) {
+    double sum = 0;
+    for (const Color& value : image.values()) sum += luminance(DVec3(value));
+    return sum / static_cast<double>(image.values().size());
+}
+
 void compare(PictureChange& change, const ColorImage& ours, const DisplaySettings& display,
              const ColorImage& theirs, const DisplaySettings& otherDisplay) {
     change.pixels = ours.values().size();
-    change.changed =
-        countDifferingPixels(eyeray::display(ours, display), eyeray::display(theirs, otherDisplay));
+    mark(change, eyeray::display(ours, display), eyeray::display(theirs, otherDisplay));
+    change.lightHere = meanLuminance(ours);
+    change.lightThere = meanLuminance(theirs);
     change.difference = ColorImage(ours.width(), ours.height());
     std::transform(ours.values().begin(), ours.values().end(), theirs.values().begin(),
                    change.difference.values().begin(),
@@ -115,8 +147,14 @@ bool ComparisonRendering::measure(const RenderSession& here, const DisplaySettin
     otherDisplay_ = otherDisplay;
     PictureChange change;
     change.samples = target_;
-    change.here = here.status().counts;
-    if (!still_) change.there = session_->status().counts;
+    const RenderStatus ownStatus = here.status();
+    change.here = ownStatus.counts;
+    change.secondsHere = ownStatus.seconds;
+    if (!still_) {
+        const RenderStatus otherStatus = session_->status();
+        change.there = otherStatus.counts;
+        change.secondsThere = otherStatus.seconds;
+    }
     measuring_.start([change, ours = std::move(ours), theirs = std::move(theirs), display,
                       otherDisplay](const std::stop_token&) mutable {
         compare(change, ours, display, theirs, otherDisplay);

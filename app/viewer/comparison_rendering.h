@@ -11,9 +11,13 @@ namespace eyeray {
 /// How two pictures of one size differ after the same number of samples.
 struct PictureChange {
     int samples = 0;
-    std::size_t pixels = 0, changed = 0; // in all, and whose displayed colours differ
-    RayCounts here, there;               // none for a still picture
-    ColorImage difference;               // |here − there|, radiance
+    std::size_t pixels = 0, changed = 0;      // in all, and whose displayed colours differ
+    std::size_t wrong = 0;                    // of which clearly, as clearlyDiffers has it
+    RayCounts here, there;                    // none for a still picture
+    double secondsHere = 0, secondsThere = 0; // of tracing, both sides at once; 0 for a still picture
+    double lightHere = 0, lightThere = 0;     // mean luminance of the radiance
+    ColorImage difference;                    // |here − there|, radiance
+    ByteImage marks;                          // over what is wrong, else transparent
 };
 
 /// Used by one thread, which waits for nothing. Both traced sides share the cores and are held at 1, 2, 4, 8,

@@ -93,6 +93,11 @@ int maxByteDifference(const ByteImage& a, const ByteImage& b) {
         });
 }
 
+bool clearlyDiffers(const Rgba8& a, const Rgba8& b) {
+    constexpr int kSlight = 2;
+    return std::max({std::abs(a.r - b.r), std::abs(a.g - b.g), std::abs(a.b - b.b)}) > kSlight;
+}
+
 std::size_t countDifferingPixels(const ByteImage& a, const ByteImage& b) {
     checkSameSize(a, b);
     return std::transform_reduce(a.values().begin(), a.values().end(), b.values().begin(), std::size_t{0},

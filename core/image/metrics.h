@@ -25,6 +25,9 @@ double percentile95(const ColorImage& a, const ColorImage& b);
 /// Largest difference of any channel of any pixel, alpha included: 0 … 255.
 int maxByteDifference(const ByteImage& a, const ByteImage& b);
 
+/// True if two displayed colours differ by more than two ways to the same colour may, 2 of 255 in a channel.
+bool clearlyDiffers(const Rgba8&, const Rgba8&);
+
 /// Number of pixels that differ in any channel.
 std::size_t countDifferingPixels(const ByteImage& a, const ByteImage& b);
 
