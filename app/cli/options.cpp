@@ -179,6 +179,7 @@ std::variant<Options, int> parseCommandLine(int argc, const char* const* argv) {
     StabilityOptions stability;
     CompareOptions compare;
     ChartOptions chart;
+    NameBugOptions nameBug;
     std::string size, play, stats, layer, widgets, pixel, inspected, accel, difference;
 
     CLI::App* viewing = app.add_subcommand("view", "open the viewer");
@@ -284,6 +285,14 @@ std::variant<Options, int> parseCommandLine(int argc, const char* const* argv) {
         ->type_name("DIFF.png");
     comparing->add_flag("--json", compare.json, "the figures as one JSON object");
 
+    CLI::App* naming = app.add_subcommand("name-bug", "which known mistake explains a wrong picture");
+    addScene(*naming, nameBug.picture, true);
+    naming->add_option("picture", nameBug.wrong, "of the same scene, of any size")
+        ->required()
+        ->type_name("PICTURE");
+    naming->add_flag("--json", nameBug.json, "all faults as one JSON object");
+    addPicture(*naming, nameBug.picture);
+
     const CLI::App* listing = app.add_subcommand("scenes", "list the built-in scenes");
 
     // `eyeray SCENE` is `eyeray view SCENE`
@@ -319,6 +328,7 @@ std::variant<Options, int> parseCommandLine(int argc, const char* const* argv) {
     if (failing->parsed()) return Options(stability);
     if (comparing->parsed()) return Options(compare);
     if (charting->parsed()) return Options(chart);
+    if (naming->parsed()) return Options(nameBug);
     if (listing->parsed()) return Options(ScenesOptions{});
     if (view.picture.scene.empty()) view.picture.scene = kDefaultScene;
     return Options(view);

@@ -91,10 +91,17 @@ struct ChartOptions {
     bool quiet = false;
 };
 
+struct NameBugOptions {
+    PictureOptions picture;
+    std::filesystem::path wrong; // that came out wrong
+    bool json = false;
+};
+
 struct ScenesOptions {};
 
-using Options = std::variant<ViewOptions, RenderOptions, SnapshotOptions, InspectOptions, HitsOptions,
-                             BenchOptions, StabilityOptions, CompareOptions, ChartOptions, ScenesOptions>;
+using Options =
+    std::variant<ViewOptions, RenderOptions, SnapshotOptions, InspectOptions, HitsOptions, BenchOptions,
+                 StabilityOptions, CompareOptions, ChartOptions, NameBugOptions, ScenesOptions>;
 
 /// What main does next: options to carry out, or an exit code after help or version have been printed.
 /// Throws InputError for a wrong command line.

@@ -15,6 +15,7 @@ int run(const BenchOptions&);
 int run(const StabilityOptions&);
 int run(const CompareOptions&);
 int run(const ChartOptions&);
+int run(const NameBugOptions&);
 int run(const ScenesOptions&);
 
 /// Says before the work what would go wrong after it: throws InputError for a name that ends in no picture

@@ -171,6 +171,7 @@ void Gui::explainingTabs(const Widgets& ui) {
 void Gui::panels(const Widgets& ui) {
     if (panelHeading(ui, "Scene")) scenePanel(ui);
     if (!viewer_.hasScene()) return;
+    if (panelHeading(ui, "Failure lab", viewer_.document().lab != nullptr)) labPanel(ui);
     if (panelHeading(ui, "Rays")) raysPanel(ui);
     if (panelHeading(ui, "Camera")) cameraPanel(ui);
     if (panelHeading(ui, "Object")) objectPanel(ui);
@@ -219,7 +220,7 @@ void Gui::flyKeys() {
 
 void Gui::menuBar(const Widgets& ui) {
     if (!ImGui::BeginMainMenuBar()) return;
-    for (const char* menu : {"File", "Edit", "Rays", "Camera", "Layers", "Compare", "View"}) {
+    for (const char* menu : {"File", "Edit", "Rays", "Camera", "Layers", "Compare", "Lab", "View"}) {
         const bool open = ImGui::BeginMenu(menu);
         ui.mark(fmt::format("menu {}", menu));
         if (!open) continue;
@@ -252,14 +253,20 @@ void Gui::show(Dialog dialog) {
     dialog_ = dialog;
     const auto folder = viewer_.hasScene() ? viewer_.opened().path.parent_path() : std::filesystem::path();
     if (dialog == Dialog::Open) files_.begin(FileDialog::Purpose::Open, folder, {".gltf", ".glb", ".png"});
+    if (dialog == Dialog::NameBug)
+        files_.begin(FileDialog::Purpose::Open, folder, {".png", ".jpg", ".ppm", ".exr", ".hdr", ".pfm"});
     if (dialog == Dialog::Save)
         files_.begin(FileDialog::Purpose::Save, folder, {".gltf", ".glb"}, "scene.gltf");
 }
 
 void Gui::dialog(const Widgets& ui) {
     if (dialog_ == Dialog::None) return;
-    constexpr std::array kTitles = {"", "Open a scene", "Save the scene", "Keys and commands",
-                                    "Import report"};
+    constexpr std::array kTitles = {"",
+                                    "Open a scene",
+                                    "Save the scene",
+                                    "Keys and commands",
+                                    "Import report",
+                                    "A picture of this scene that came out wrong"};
     const ImGuiViewport& window = *ImGui::GetMainViewport();
     const ImVec2 size{std::min(window.WorkSize.x * 0.94F, ImGui::GetFontSize() * 52),
                       window.WorkSize.y * 0.86F};
@@ -273,7 +280,7 @@ void Gui::dialog(const Widgets& ui) {
                          ImGuiWindowFlags_NoSavedSettings)) {
         if (dialog_ == Dialog::Help) helpPage(ui);
         if (dialog_ == Dialog::Report) importReport(ui);
-        if (dialog_ == Dialog::Open || dialog_ == Dialog::Save) fileDialog(ui);
+        if (dialog_ == Dialog::Open || dialog_ == Dialog::Save || dialog_ == Dialog::NameBug) fileDialog(ui);
     }
     ImGui::End();
     if (!open) dialog_ = Dialog::None;
@@ -282,10 +289,10 @@ void Gui::dialog(const Widgets& ui) {
 void Gui::fileDialog(const Widgets& ui) {
     const auto file = files_.draw(ui);
     if (!file) return;
-    const bool opening = dialog_ == Dialog::Open;
-    dialog_ = Dialog::None;
-    execute(opening ? Command("open", {{"scene", file->string()}})
-                    : Command("save", {{"file", file->string()}}));
+    const Dialog dialog = std::exchange(dialog_, Dialog::None);
+    if (dialog == Dialog::Open) execute({"open", {{"scene", file->string()}}});
+    if (dialog == Dialog::Save) execute({"save", {{"file", file->string()}}});
+    if (dialog == Dialog::NameBug) execute({"name-bug", {{"file", file->string()}}});
 }
 
 void Gui::writeRays(const Widgets& ui) {

@@ -17,7 +17,7 @@
 
 namespace eyeray {
 
-enum class Dialog : std::uint8_t { None, Open, Save, Help, Report };
+enum class Dialog : std::uint8_t { None, Open, Save, Help, Report, NameBug };
 
 /// Used by the thread of the platform.
 class Gui {

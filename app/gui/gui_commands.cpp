@@ -14,7 +14,7 @@ namespace {
 
 using namespace std::string_view_literals;
 
-constexpr std::array kDialogNames = {"none"sv, "open"sv, "save"sv, "help"sv, "report"sv};
+constexpr std::array kDialogNames = {"none"sv, "open"sv, "save"sv, "help"sv, "report"sv, "name-bug"sv};
 
 bool wanted(const Command& command, bool now) {
     command.allowOnly({"on"});
@@ -195,7 +195,7 @@ void nextCamera(Gui& gui, const Command&) {
 }
 
 constexpr std::array kCommands = {
-    GuiCommand{"dialog", "show=open|save|help|report|none", "Shows a dialog.", dialog},
+    GuiCommand{"dialog", "show=open|save|help|report|name-bug|none", "Shows a dialog.", dialog},
     GuiCommand{"window-screenshot", "file=FILE.png", "Saves the whole window.", windowScreenshot},
     GuiCommand{"rayview-screenshot", "file=FILE.png|.svg width=N height=N",
                "Saves the rays in space; in an SVG they are vectors.", rayviewScreenshot},

@@ -6,6 +6,7 @@
 namespace eyeray {
 
 void scenePanel(const Widgets&);   // built-in scenes, what to look at
+void labPanel(const Widgets&);     // demonstrations of failures, their slider
 void raysPanel(const Widgets&);    // method, kinds of rays, depth, cutoff
 void cameraPanel(const Widgets&);  // field of view, aspect, corners of the image plane
 void objectPanel(const Widgets&);  // the selected object and its material

@@ -138,6 +138,7 @@ bool Viewer::update() {
     const bool metered = meterExposure();
     const bool compared = updateComparison(), layered = updateLayer(), lit = updatePhotons();
     const bool charted = recording_.update(*session_);
+    const bool named = updateNaming();
     const RenderStatus now = session_->status();
     const bool finished = lastPhase_ != now.phase || lastSamples_ != now.samples;
     if (now.phase != lastPhase_) retraceGrid();
@@ -147,7 +148,7 @@ bool Viewer::update() {
     lastPhase_ = now.phase;
     lastSamples_ = now.samples;
     return loaded || built || started || metered || compared || layered || finished || averaged || played ||
-           lit || charted || now.active() || loading() || building();
+           lit || charted || named || now.active() || loading() || building();
 }
 
 void Viewer::openInBackground(const std::string& nameOrPath, std::vector<Command> commands) {
@@ -184,7 +185,7 @@ void Viewer::show(OpenedScene opened) {
     std::error_code error;
     fileTime_ = std::filesystem::last_write_time(opened_.path, error);
     std::optional<Document> kept;
-    if (keepView_ && hasScene()) {
+    if (keepView_ && hasScene() && opened_.document.lab == nullptr) {
         kept = document();
         kept->scene = opened_.document.scene;
         kept->selectedObject = -1;
@@ -196,6 +197,7 @@ void Viewer::show(OpenedScene opened) {
     if (kept) history_->change(std::move(*kept));
     picked_.reset();
     grid_.end();
+    naming_.clear();
     int changes = 0;
     for (const auto& line : opened_.report.lines) changes += line.kind != ImportReport::Kind::Added ? 1 : 0;
     if (changes > 0)
@@ -338,7 +340,7 @@ Scene Viewer::sceneToSave() const {
     return scene;
 }
 
-Document Viewer::fileDocument() const { return makeDocument(opened_.document.scene); }
+Document Viewer::fileDocument() const { return originalOf(opened_.document); }
 
 void Viewer::finishJobs() {
     do {

@@ -14,6 +14,7 @@
 #include "app/document/picture_file.h"
 #include "app/document/scene_files.h"
 #include "app/viewer/background_job.h"
+#include "app/viewer/bug_naming.h"
 #include "app/viewer/chart_recording.h"
 #include "app/viewer/comparison_rendering.h"
 #include "app/viewer/grid_player.h"
@@ -101,6 +102,7 @@ public:
     const PixelStudy& study() const { return study_; }
     const LayerRendering& layers() const { return layers_; }
     const ComparisonRendering& comparison() const { return comparison_; }
+    const BugNaming& naming() const { return naming_; }
     const PhotonRendering& photons() const { return photons_; }
     const PhotonSettings& photonSettings() const { return photonSettings_; }
     ChartRecording& recording() { return recording_; }
@@ -143,6 +145,9 @@ public:
     /// Shows the difference of a comparison, or takes it away; without one, what the last switch of a ray
     /// kind has changed. Throws InputError if none has been switched.
     void toggleDifference();
+    /// Looks which fault explains a picture of the scene shown; then compares with that fault and picks the
+    /// first wrong pixel. Throws InputError if the picture cannot be read.
+    void nameBug(const std::filesystem::path& picture);
     void report(Notice::Kind, std::string text);
     void dismissNotice(std::size_t index);
     /// Ends a drag: the next change is a step of its own for undo.
@@ -170,6 +175,7 @@ private:
     bool updateComparison();
     bool updateLayer();
     bool updatePhotons();
+    bool updateNaming();
     bool tracing(int samples) const;
     bool meterExposure();
     void pickPixel(std::optional<PixelPosition>);
@@ -203,6 +209,7 @@ private:
     LayerRendering layers_;
     ComparisonRendering comparison_;
     PhotonRendering photons_;
+    BugNaming naming_;
     PhotonSettings photonSettings_;
     ChartRecording recording_;
     std::optional<OtherPicture> compared_;         // what the comparison was last started with

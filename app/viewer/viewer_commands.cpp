@@ -122,6 +122,12 @@ void selectRay(Viewer& viewer, const Command& command) {
     viewer.selectRay(*command.integer("index", 0, 1 << 20));
 }
 
+void nameBug(Viewer& viewer, const Command& command) {
+    command.allowOnly({"file"});
+    needScene(viewer, command);
+    viewer.nameBug(command.required("file"));
+}
+
 void wait(Viewer& viewer, const Command& command) {
     command.allowOnly({"samples"});
     viewer.finishRendering(command.integer("samples", 1, 1000000).value_or(1000000));
@@ -169,6 +175,9 @@ constexpr std::array kCommands = {
                   chartReference},
     ViewerCommand{"chart-save", "file=FILE.svg|.csv format=svg|csv",
                   "Saves the live chart; without a name into the Pictures folder.", chartSave},
+    ViewerCommand{"name-bug", "file=FILE.png",
+                  "Ranks the faults that explain a picture of this scene, and picks its first wrong pixel.",
+                  nameBug},
     ViewerCommand{"wait", "samples=N", "Waits for so many samples, or until the picture is finished.", wait},
 };
 

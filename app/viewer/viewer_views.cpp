@@ -53,6 +53,40 @@ bool Viewer::updatePhotons() {
     }
 }
 
+void Viewer::nameBug(const std::filesystem::path& picture) {
+    finishJobs();
+    RenderSettings settings = document().render;
+    settings.trace.faults = {};
+    naming_.start(picture, world_, document().camera, settings, sessionThreads_);
+    report(Notice::Kind::Done,
+           fmt::format("{}: tracing the scene with each fault", picture.filename().string()));
+}
+
+/// The fault that explains most is compared with, and the first wrong pixel picked.
+bool Viewer::updateNaming() {
+    try {
+        if (!naming_.update()) return naming_.running();
+    } catch (const std::exception& error) {
+        report(Notice::Kind::Error, error.what());
+        return true;
+    }
+    const auto& [file, width, height, bug] = *naming_.report();
+    const FaultSet best = bug.ranked.front().faults;
+    if (!bug.firstWrong || best.empty()) {
+        report(Notice::Kind::Warning,
+               fmt::format("{}: no known fault explains it better than none", file.filename().string()));
+        return true;
+    }
+    report(Notice::Kind::Done, fmt::format("{}: sounds like {}", file.filename().string(), toText(best)));
+    execute({"compare", {{"with", "fault=" + toText(best)}}});
+    const auto scaled = [](int place, int from, int to) {
+        return static_cast<int>(std::int64_t{place} * to / from);
+    };
+    pick(PixelPosition{scaled(bug.firstWrong->x, width, width_), scaled(bug.firstWrong->y, height, height_)},
+         true);
+    return true;
+}
+
 std::optional<OtherPicture> Viewer::otherPicture() const {
     const Comparison& comparison = document().comparison;
     if (!comparison.on || comparison.isRasterised()) return std::nullopt;
@@ -111,6 +145,7 @@ void Viewer::toggleDifference() {
 }
 
 bool Viewer::tracing(int samples) const {
+    if (naming_.running()) return true;
     if (paused_) return layers_.active();
     const RenderStatus status = session_->status();
     const int compared = comparison_.change() ? comparison_.change()->samples : 0;
