@@ -153,21 +153,17 @@ void CompareView::legend(const Widgets& ui, const LegendPlace& place) const {
     });
 }
 
-/// What the class reads off: how wrong the left side is, why, and what mends it.
+/// What the class reads off: how wrong the left side is, what it costs, and why.
 void CompareView::labLegend(const Widgets& ui) {
-    const Document& document = ui.viewer.document();
-    const LabDemo& demo = *document.lab;
     const auto& change = ui.viewer.comparison().change();
-    const std::string slider = fmt::format("{}: {}", demo.slider.label, toText(document.labValue));
     if (change) {
         const std::vector<std::string> lines = wrongLines(*change);
-        ImGui::TextWrapped("%s", fmt::format("{}   {}", slider, lines[0]).c_str());
+        ImGui::TextWrapped("%s", lines[0].c_str());
         dimmedText(lines[1]);
     } else {
-        ImGui::TextWrapped("%s   tracing both sides", slider.c_str());
+        ImGui::TextDisabled("tracing both sides");
     }
-    ImGui::TextWrapped("%s", std::string(demo.why).c_str());
-    dimmedText(std::string(demo.fix));
+    ImGui::TextWrapped("%s", std::string(ui.viewer.document().lab->why).c_str());
 }
 
 }

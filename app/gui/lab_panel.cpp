@@ -52,6 +52,7 @@ void labPanel(const Widgets& ui) {
         const LabSlider& slider = document.lab->slider;
         ui.partNumber({"lab"}, std::string(slider.label).c_str(), "value", document.labValue, slider.lowest,
                       slider.highest, formatOf(slider), slider.logarithmic);
+        dimmedText(std::string(document.lab->fix));
     }
     ui.partFlag({"mark-wrong"}, "Mark wrong pixels", "on", document.comparison.marks);
     ui.button("Name that bug…", "dialog show=name-bug",

@@ -99,7 +99,7 @@ Scene pancake(double squash) {
         at({0, 0.2, 0}) * glm::rotate(DMat4(1), radians(28), DVec3(0, 0, 1)) *
             glm::scale(DMat4(1), DVec3(1, squash, 1)));
     scene.ambient = Color(0.15F);
-    addLamp(scene, {5, 4, 3});
+    addLamp(scene, {-5, 4, 3});
     look(scene, {0, 1.4, 6}, {0, 0, 0}, 36);
     scene.settings = {"set method=whitted"};
     return scene;

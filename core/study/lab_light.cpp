@@ -62,7 +62,7 @@ Scene insideGlass(double angle) {
 Scene smoothBall(double segments) {
     Scene scene = underSky({0.04F, 0.05F, 0.08F}, {0.06F, 0.07F, 0.10F});
     add(scene, "ball", ball(std::max(3, static_cast<int>(segments) / 2)), matte({0.80F, 0.72F, 0.60F}));
-    addLamp(scene, {-8, 3, 2});
+    addLamp(scene, {-8, 2, -3});
     look(scene, {0, 0, 5}, {0, 0, 0}, 30);
     scene.settings = {"set method=cast"};
     return scene;
@@ -93,7 +93,7 @@ Scene caustic(double radius) {
     lamp.intensity = 6 / (radius * radius);
     lamp.transform = at({-1.8, 3.4, 0.6});
     scene.lights.push_back(lamp);
-    look(scene, {0.3, 2.1, 6}, {0.1, 0.9, 0}, 36);
+    look(scene, {0.3, 3.4, 5.6}, {0.3, 0.2, 0.2}, 36);
     scene.settings = {"set method=path max-depth=8 samples=64 error=0"};
     return scene;
 }
@@ -110,7 +110,7 @@ Scene softShadow(double samples) {
     lamp.intensity = 5;
     lamp.transform = at({-0.6, 4, 1.4}) * glm::rotate(DMat4(1), -kPiD / 2, DVec3(1, 0, 0));
     scene.lights.push_back(lamp);
-    look(scene, {0.3, 2.1, 6}, {0.2, 0.9, 0}, 36);
+    look(scene, {0.3, 2.6, 6}, {0.2, 0.5, 0}, 36);
     scene.settings = {"set method=distributed", samplesSetting(samples)};
     return scene;
 }

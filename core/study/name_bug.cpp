@@ -76,10 +76,12 @@ std::optional<NamedBug> nameBug(const std::shared_ptr<const World>& world, const
         const ByteImage shown = rendered(world, camera, settings, pool, stop);
         if (shown.empty()) return std::nullopt;
         if (i < 0) bug.firstWrong = firstWrong(shown, picture);
-        bug.ranked.push_back(matchOf(settings.trace.faults, shown, picture));
+        const FaultMatch match = matchOf(settings.trace.faults, shown, picture);
+        const auto worse =
+            std::upper_bound(bug.ranked.begin(), bug.ranked.end(), match,
+                             [](const FaultMatch& a, const FaultMatch& b) { return a.rmse < b.rmse; });
+        bug.ranked.insert(worse, match);
     }
-    std::stable_sort(bug.ranked.begin(), bug.ranked.end(),
-                     [](const FaultMatch& a, const FaultMatch& b) { return a.rmse < b.rmse; });
     return bug;
 }
 
