@@ -44,7 +44,7 @@ TEST_F(Lab, SliderMovesByKeysAndBackByUndo) {
 TEST_F(Lab, MarksAreSwitchedByAKeyAndChangeThePictureOnTheLeftAlone) {
     const WidgetRect place = screen.rect("picture");
     const ByteImage marked = screen.picture();
-    screen.press("M");
+    screen.press("X");
     EXPECT_FALSE(screen.document().comparison.marks);
     const ByteImage bare = screen.picture();
     const int middle = static_cast<int>((place.x0 + place.x1) / 2);
