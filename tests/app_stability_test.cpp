@@ -98,7 +98,7 @@ TEST_F(Stability, WritesNothingWhenInterrupted) {
 TEST(StabilityReport, SaysWhichRobustFormMissesItsMark) {
     StabilityCase strict = stabilityCases().front();
     strict.mark = {-1, 0};
-    const std::vector results = {measureCase(strict, {.trials = 1000, .timed = false})};
+    const std::vector results = {measureCase(strict, {.trials = 1000, .timed = false, .stop = {}})};
     EXPECT_FALSE(results.front().passes());
     EXPECT_NE(stabilityText(results).find("misses its mark"), std::string::npos);
     EXPECT_NE(stabilityPage(results, "").find("0 of 1"), std::string::npos);

@@ -29,7 +29,7 @@ const StabilityCase& caseOf(std::string_view id) {
 
 /// One form at one value, which need not be in the sweep.
 Measured measured(std::string_view id, double parameter, Form form) {
-    const auto forms = caseOf(id).measure(parameter, {.trials = kTrials, .timed = false});
+    const auto forms = caseOf(id).measure(parameter, {.trials = kTrials, .timed = false, .stop = {}});
     return forms[static_cast<std::size_t>(form)].value();
 }
 double failures(std::string_view id, double parameter, Form form = Form::NaiveFloat) {
@@ -43,7 +43,7 @@ class EachStabilityCase : public testing::TestWithParam<StabilityCase> {};
 
 TEST_P(EachStabilityCase, HasARobustFormThatKeepsToItsMark) {
     const StabilityCase& subject = GetParam();
-    const StabilityResult result = measureCase(subject, {.trials = kTrials, .timed = false});
+    const StabilityResult result = measureCase(subject, {.trials = kTrials, .timed = false, .stop = {}});
     ASSERT_EQ(result.points.size(), subject.sweep.size());
     const auto robust = result.worst(Form::Robust);
     ASSERT_TRUE(robust);
@@ -54,7 +54,8 @@ TEST_P(EachStabilityCase, HasARobustFormThatKeepsToItsMark) {
 
 TEST_P(EachStabilityCase, HasAFormAsTaughtThatMissesTheMark) {
     const StabilityCase& subject = GetParam();
-    const auto naive = measureCase(subject, {.trials = kTrials, .timed = false}).worst(Form::NaiveFloat);
+    const auto naive =
+        measureCase(subject, {.trials = kTrials, .timed = false, .stop = {}}).worst(Form::NaiveFloat);
     ASSERT_TRUE(naive);
     EXPECT_TRUE(naive->error > 10 * subject.mark.error ||
                 naive->failuresPerMillion > subject.mark.failuresPerMillion + 1000);
@@ -63,7 +64,7 @@ TEST_P(EachStabilityCase, HasAFormAsTaughtThatMissesTheMark) {
 TEST_P(EachStabilityCase, IsTheSameInEveryRun) {
     const StabilityCase& subject = GetParam();
     const double middle = subject.sweep[subject.sweep.size() / 2];
-    const StabilityEffort effort{.trials = 1000, .timed = false};
+    const StabilityEffort effort{.trials = 1000, .timed = false, .stop = {}};
     const MeasuredForms first = subject.measure(middle, effort), second = subject.measure(middle, effort);
     for (std::size_t form = 0; form < first.size(); ++form) {
         ASSERT_EQ(first[form].has_value(), second[form].has_value());

@@ -21,7 +21,7 @@ struct StabilityEffort {
     int trials =
         100'000; // rays, or what stands for them, for each form and parameter; costly ones make fewer
     bool timed = true;
-    std::stop_token stop = {};
+    std::stop_token stop;
 };
 
 /// What one form does at one value of the parameter.

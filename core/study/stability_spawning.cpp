@@ -147,6 +147,7 @@ constexpr int kLayers = 100;
 
 MeasuredForms layers(double gap, const StabilityEffort& effort) {
     std::vector<Instance<Bvh2>> panes;
+    panes.reserve(kLayers);
     for (int i = 0; i < kLayers; ++i)
         panes.push_back({.placement = placedAt({0, -i * gap, 0}), .geometry = Shape(Plane{9, 9, true})});
     const auto geometry = indexInstances<Bvh2>(std::move(panes), {});

@@ -109,23 +109,21 @@ struct Verdict {
     bool failed = false;
 };
 
+inline Verdict verdictOf(const Verdict& verdict) { return verdict; }
+inline Verdict verdictOf(bool failed) { return {0, failed}; }
+
 /// `call(input)` for each input, judged by `judge(input, answer)`: a Verdict, or whether it failed, and then
 /// the error is the share of those that did.
 template <class Input, class Call, class Judge>
 Measured tried(const std::vector<Input>& inputs, const StabilityEffort& effort, const Call& call,
                const Judge& judge) {
+    constexpr bool yesOrNo = std::is_same_v<decltype(judge(inputs.front(), call(inputs.front()))), bool>;
     double largest = 0, failures = 0;
-    bool yesOrNo = false;
     for (const Input& input : inputs) {
-        const auto judged = judge(input, call(input));
-        if constexpr (std::is_same_v<std::remove_const_t<decltype(judged)>, bool>) {
-            yesOrNo = true;
-            failures += judged ? 1 : 0;
-        } else {
-            const bool finite = std::isfinite(judged.error);
-            if (finite) largest = std::max(largest, judged.error);
-            failures += judged.failed || !finite ? 1 : 0;
-        }
+        const Verdict verdict = verdictOf(judge(input, call(input)));
+        const bool finite = std::isfinite(verdict.error);
+        if (finite) largest = std::max(largest, verdict.error);
+        failures += verdict.failed || !finite ? 1 : 0;
     }
     const double share = failures / static_cast<double>(inputs.size());
     return {yesOrNo ? share : largest, 1e6 * share, nanosecondsOf(inputs, effort, call)};
