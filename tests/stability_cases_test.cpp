@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 #include <ostream>
-#include <set>
 #include <stdexcept>
 
 #include <gtest/gtest.h>
@@ -78,7 +77,6 @@ INSTANTIATE_TEST_SUITE_P(All, EachStabilityCase, testing::ValuesIn(stabilityCase
                          [](const auto& named) { return std::string(named.param.id); });
 
 TEST(StabilityCases, AreInOrderAndSayWhatTheyShow) {
-    std::set<std::string_view> ids;
     std::string_view last;
     for (const StabilityCase& subject : stabilityCases()) {
         EXPECT_LT(last, subject.id);
@@ -93,7 +91,7 @@ TEST(StabilityCases, AreInOrderAndSayWhatTheyShow) {
 }
 
 TEST(StabilityCases, EndWhenAskedTo) {
-    std::stop_source stop;
+    const std::stop_source stop;
     stop.request_stop();
     const StabilityResult result = measureCase(caseOf("F01"), {.trials = kTrials, .stop = stop.get_token()});
     EXPECT_TRUE(result.points.empty());
