@@ -146,7 +146,7 @@ TEST(ChartRecording, MeasuresAllPointsAgainstAReferenceUntilTheViewChanges) {
 
 TEST(ChartRecording, NamesASettingByWhatDiffersFromTheScene) {
     const Document original = documentOf(Method::Whitted);
-    Document now = apply(original, Command::parse("set method=path max-depth=3 shadows=off samples=7"));
+    const Document now = apply(original, Command::parse("set method=path max-depth=3 shadows=off samples=7"));
     EXPECT_EQ(nameOfSetting(original, original), "whitted d5");
     EXPECT_EQ(nameOfSetting(original, now), "path d3 shadows=off");
 }

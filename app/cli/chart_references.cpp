@@ -61,7 +61,8 @@ public:
 
 private:
     fs::path fileOf(const TraceSettings& model) const {
-        Document plain = makeDocument(plan_.scene), asked = plain;
+        const Document plain = makeDocument(plan_.scene);
+        Document asked = plain;
         asked.camera = document_.camera;
         asked.render.trace = model;
         std::string text = common_;

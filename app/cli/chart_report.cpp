@@ -161,6 +161,7 @@ private:
         for (const double level : levels) {
             table.head.push_back(fmt::format("{}{}", shortNumber(level, 1), unit));
             std::vector<Reading> column;
+            column.reserve(table.rows.size());
             for (std::size_t curve = 0; curve < table.rows.size(); ++curve)
                 column.push_back(read(measured(curve), level));
             const double best = std::ranges::min(column, {}, &Reading::value).value;

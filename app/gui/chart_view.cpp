@@ -56,8 +56,7 @@ void nameField(const Widgets& ui, const RecordedCurve& curve, const std::string&
 
 bool isReference(const ChartRecording& recording, const RecordedCurve& curve) {
     const auto& reference = recording.reference();
-    return reference && !curve.points.empty() && reference->name == curve.name &&
-           reference->picture == curve.points.back().picture;
+    return reference && !curve.points.empty() && reference->picture == curve.points.back().picture;
 }
 
 void row(const Widgets& ui, const RecordedCurve& curve, const std::string& n, float nameWidth) {

@@ -68,9 +68,10 @@ private:
 
     void drawGuide(const PlotGuide& guide) {
         const auto ends = frame_.line(guide);
-        const float length = glm::distance(ends[0], ends[1]);
+        const float length = glm::distance(ends[0], ends[1]), step = (kDash + kGap) * letter_;
         const ImU32 color = ground(groundOf(dark_).dimmed);
-        for (float from = 0; from < length; from += (kDash + kGap) * letter_) {
+        for (int i = 0; static_cast<float>(i) * step < length; ++i) {
+            const float from = static_cast<float>(i) * step;
             const float to = std::min(length, from + kDash * letter_);
             list_.AddLine(of(glm::mix(ends[0], ends[1], from / length)),
                           of(glm::mix(ends[0], ends[1], to / length)), color, 0.08F * letter_);
