@@ -37,7 +37,9 @@ OpenedScene openFile(const fs::path& path, const std::string& reference, const s
     OpenedScene opened;
     opened.path = path;
     opened.reference = reference;
-    opened.document = makeDocument(std::make_shared<const Scene>(importGltf(path, opened.report, stop)));
+    auto scene = std::make_shared<const Scene>(importGltf(path, opened.report, stop));
+    if (stop.stop_requested()) return opened;
+    opened.document = makeDocument(std::move(scene));
     opened.meterExposure = !opened.document.scene->statesExposure;
     opened.sha256 = sha256HexOfFile(path);
     opened.loadSeconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
@@ -63,6 +65,7 @@ OpenedScene openPicture(const fs::path& picture, const std::stop_token& stop) {
     OpenedScene opened = demo != nullptr   ? openLab(*demo)
                          : builtin.empty() ? openFile(file, file.string(), stop)
                                            : openFile(builtin, state.scene, stop);
+    if (stop.stop_requested()) return opened;
     if (opened.sha256 != state.sha256)
         opened.report.lines.push_back(
             {ImportReport::Kind::Repaired,

@@ -38,7 +38,7 @@ struct OpenedScene {
 
 /// Opens a built-in scene or a demonstration of the failure lab by name, a glTF file, or a picture that
 /// Eyeray made: then the picture's scene in the picture's state, with a line in the report if the scene has
-/// changed since. Throws InputError.
+/// changed since. Throws InputError. Without a document if `stop` was requested.
 OpenedScene openScene(const std::string& nameOrPath, const std::stop_token& stop = {});
 
 /// What openScene opens this scene by from any working folder.

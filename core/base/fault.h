@@ -45,7 +45,8 @@ struct FaultName {
 /// By Fault.
 inline constexpr std::array kFaultNames = {
     FaultName{"sphere-slide", "sphere by b^2 - 4ac, which cancels far away; by the ray's distance instead"},
-    FaultName{"moller-trumbore", "u and v for each triangle apart, |det| < 1e-6 a miss: gaps at edges, holes"},
+    FaultName{"moller-trumbore",
+              "u and v for each triangle apart, |det| < 1e-6 a miss: gaps at edges, holes"},
     FaultName{"slab-nan", "box test without a thought to 0 * inf: rays in the plane of a face miss"},
     FaultName{"global-epsilon", "rays start at o + t d and skip a fixed epsilon, whatever the scene's scale"},
     FaultName{"float-world", "world coordinates in float from the file's origin, however far that is"},
