@@ -86,17 +86,30 @@ Scene withMesh(Scene scene) {
     return scene;
 }
 
+/// The usual settings, with a change.
+template <class Change>
+TraceSettings with(const Change& change) {
+    TraceSettings settings;
+    change(settings);
+    return settings;
+}
+
 std::vector<TraceSettings> someSettings() {
     std::vector<TraceSettings> all;
     for (const Method method : {Method::Local, Method::Cast, Method::Whitted})
         for (const GlassShadows glassShadows :
              {GlassShadows::Straight, GlassShadows::OpaqueOnly, GlassShadows::AllBlock})
-            all.push_back({.method = method, .maxDepth = 7, .cutoff = 0.001F, .glassShadows = glassShadows});
-    all.push_back({.maxDepth = 5, .cutoff = 0});
-    all.push_back({.maxDepth = 30, .cutoff = 0.01F});
-    all.push_back({.fresnel = FresnelMode::Constant});
-    all.push_back({.shadows = false, .reflections = false});
-    all.push_back({.refractions = false});
+            all.push_back(with([&](TraceSettings& s) {
+                s.method = method;
+                s.maxDepth = 7;
+                s.cutoff = 0.001F;
+                s.glassShadows = glassShadows;
+            }));
+    all.push_back(toDepth(5));
+    all.push_back(with([](TraceSettings& s) { s.maxDepth = 30, s.cutoff = 0.01F; }));
+    all.push_back(with([](TraceSettings& s) { s.fresnel = FresnelMode::Constant; }));
+    all.push_back(with([](TraceSettings& s) { s.shadows = s.reflections = false; }));
+    all.push_back(with([](TraceSettings& s) { s.refractions = false; }));
     return all;
 }
 
@@ -113,7 +126,7 @@ TEST(Streams, CarryTheLightOfSingleRaysUnderEverySetting) {
 }
 
 TEST(Streams, TakeTilesLargerThanTheyHaveRoomFor) {
-    expectTheSame(Tracing(allKinds(), {.maxDepth = 4, .cutoff = 0}, 120, 90), 0);
+    expectTheSame(Tracing(allKinds(), toDepth(4), 120, 90), 0);
 }
 
 TEST(Streams, TakeTilesOfWhichOnlySomePixelsAreAsked) {
@@ -123,7 +136,7 @@ TEST(Streams, TakeTilesOfWhichOnlySomePixelsAreAsked) {
 TEST(Streams, CarryTheLightOfSingleRaysFromInsideGlass) {
     Scene scene = allKinds();
     look(scene, {-1, -0.2, -4.1}, {1, 0, -5});
-    expectTheSame(Tracing(scene, {.maxDepth = 6}, 40, 30), 0);
+    expectTheSame(Tracing(scene, with([](TraceSettings& s) { s.maxDepth = 6; }), 40, 30), 0);
 }
 
 class EachScene : public testing::TestWithParam<std::string> {};
