@@ -117,7 +117,7 @@ private:
         case 11:
             return "set accel=" + one({"auto", "brute", "bvh2", "bvh8"});
         case 12:
-            return one({"compare with=\"set max-depth=0\"", "compare with=none", "rasterised", "play-grid",
+            return one({"compare with=\"max-depth=0\"", "compare on=off", "rasterised", "play-grid",
                         "from-light", "difference"});
         case 13:
             return "layer name=" + one({"color", "normal", "depth", "rays", "visits"});
@@ -130,7 +130,7 @@ private:
     static ColorImage settled(Program& program) {
         EXPECT_TRUE(program.say("open scene=shadows"));
         program.viewer.finishJobs();
-        for (const char* command : {"reset", "pause on=off", "explain on=off", "compare with=none",
+        for (const char* command : {"reset", "pause on=off", "explain on=off", "compare on=off",
                                     "rasterised on=off", "set samples=2 error=0"})
             EXPECT_TRUE(program.say(command)) << command;
         program.frames(3);

@@ -23,7 +23,8 @@ Scene reread(const Scene& scene, const std::string& name = "scene.glb") {
     exportGltf(scene, folder / name);
     ImportReport report;
     Scene result = importGltf(folder / name, report);
-    for (const auto& line : report.lines) ADD_FAILURE() << line.text;
+    for (const auto& line : report.lines)
+        if (line.kind != ImportReport::Kind::Doubtful) ADD_FAILURE() << line.text;
     return result;
 }
 
