@@ -141,6 +141,7 @@ std::string Chart::pointName(const ExperimentPoint& point) const {
 
 std::vector<bool> Chart::onFront() const {
     std::vector<Cost> costs;
+    costs.reserve(experiment.points.size());
     for (const ExperimentPoint& point : experiment.points)
         costs.push_back({point.seconds().median, point.error(ErrorAgainst::Fullest, metric).median});
     std::vector<bool> front(costs.size(), false);

@@ -22,6 +22,7 @@ struct Place {
 /// differ.
 std::vector<std::uint32_t> welded(const TriangleMesh& mesh) {
     std::vector<Place> places;
+    places.reserve(mesh.positions.size());
     for (std::uint32_t i = 0; i < mesh.positions.size(); ++i)
         places.push_back({toArray(mesh.positions[i] + Vec3(0)), i}); // + 0: one zero
     std::sort(places.begin(), places.end(), [](const Place& a, const Place& b) {

@@ -38,8 +38,8 @@ ExperimentSetting normalised(ExperimentSetting setting) {
 std::vector<ExperimentSetting> combinations(const ExperimentGrid& grid, const TraceSettings& base) {
     std::vector<ExperimentSetting> all;
     const auto add = [&](ExperimentSetting setting) {
-        setting = normalised(std::move(setting));
-        if (std::ranges::find(all, setting) == all.end()) all.push_back(std::move(setting));
+        setting = normalised(setting);
+        if (std::ranges::find(all, setting) == all.end()) all.push_back(setting);
     };
     ExperimentSetting next{base, {}};
     for (const Method method : grid.methods)
@@ -108,12 +108,14 @@ Spread spreadOf(std::vector<double> values) {
 
 Spread ExperimentPoint::seconds() const {
     std::vector<double> values;
+    values.reserve(repeats.size());
     for (const Repeat& repeat : repeats) values.push_back(repeat.seconds);
     return spreadOf(std::move(values));
 }
 
 Spread ExperimentPoint::error(ErrorAgainst against, ErrorMetric metric) const {
     std::vector<double> values;
+    values.reserve(repeats.size());
     for (const Repeat& repeat : repeats)
         values.push_back((against == ErrorAgainst::Limit ? repeat.toLimit : repeat.toFullest)[metric]);
     return spreadOf(std::move(values));

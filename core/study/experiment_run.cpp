@@ -119,7 +119,7 @@ private:
                 wanted.push_back({modelOf(result_.curves[curve].setting), passSeconds_[curve],
                                   &result_.curves[curve].limit});
         std::vector<Wanted> toTrace;
-        for (Wanted& each : wanted) {
+        for (const Wanted& each : wanted) {
             const auto same = std::ranges::find(toTrace, each.model, &Wanted::model);
             if (same != toTrace.end()) continue;
             if (const auto kept = store_.find(each.model)) {

@@ -1,6 +1,7 @@
 #include "core/study/path_sum.h"
 
 #include <algorithm>
+#include <tuple>
 
 #include <fmt/format.h>
 
@@ -35,8 +36,9 @@ public:
             light(static_cast<int>(i), Source::DiffuseLight, lamp.diffuse, lamp.diffuseMis);
             light(static_cast<int>(i), Source::SpecularLight, lamp.specular, lamp.specularMis);
         }
-        std::stable_sort(terms_.begin(), terms_.end(),
-                         [](const PathTerm& a, const PathTerm& b) { return a.ray < b.ray; });
+        std::sort(terms_.begin(), terms_.end(), [](const PathTerm& a, const PathTerm& b) {
+            return std::tuple(a.ray, a.lamp, a.source) < std::tuple(b.ray, b.lamp, b.source);
+        });
         return std::move(terms_);
     }
 
