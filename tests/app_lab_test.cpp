@@ -69,7 +69,7 @@ TEST_F(Lab, PictureRemembersDemonstrationAndSlider) {
 }
 
 TEST(NameThatBug, ComparesWithTheFaultAndPicksTheFirstWrongPixel) {
-    TemporaryFolder folder;
+    const TemporaryFolder folder;
     Screen screen("homage", 700, 500);
     const std::string file = (folder / "student.png").string();
     for (const char* const line : {"set fault=flipped-rows", "wait"})

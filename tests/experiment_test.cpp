@@ -121,6 +121,7 @@ TEST(Experiment, MeasuresEachCombinationOnceAndNamesWhatDiffers) {
     const ExperimentPlan plan = smallPlan();
     const auto settings = combinations(plan.grid, plan.base);
     std::vector<std::string> labels;
+    labels.reserve(settings.size());
     for (const ExperimentSetting& setting : settings) labels.push_back(labelOf(setting, plan.grid));
     EXPECT_EQ(labels, (std::vector<std::string>{"cast", "whitted d1", "whitted d4", "path d1", "path d4"}));
     ExperimentGrid accels = plan.grid;
@@ -201,7 +202,7 @@ TEST(Experiment, KeepsAPointThatFailedWithTheReason) {
 }
 
 TEST(Experiment, IsNothingWhenStoppedBeforeItsReferences) {
-    std::stop_source stop;
+    const std::stop_source stop;
     stop.request_stop();
     ExperimentProgress progress;
     EXPECT_FALSE(runExperiment(smallPlan(), kNoStore, progress, stop.get_token()));

@@ -14,8 +14,6 @@
 namespace eyeray {
 namespace {
 
-using scenes::Tracing;
-
 struct Sides {
     ByteImage naive, robust;
     double lightNaive = 0, lightRobust = 0;

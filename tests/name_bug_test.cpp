@@ -32,8 +32,7 @@ protected:
     }
 
     NamedBug named(const ByteImage& picture) {
-        RenderSettings settings = homage.render;
-        return *nameBug(world_, homage.camera, settings, picture, pool_);
+        return *nameBug(world_, homage.camera, homage.render, picture, pool_);
     }
 
     std::shared_ptr<const World> world_ = buildWorld(homage.scene, homage.build);
@@ -58,7 +57,7 @@ TEST_F(NameBug, FindsNothingWrongInARightPicture) {
 }
 
 TEST_F(NameBug, EndsWhenItIsToldTo) {
-    std::stop_source stop;
+    const std::stop_source stop;
     stop.request_stop();
     EXPECT_FALSE(nameBug(world_, homage.camera, homage.render, pictureWith({}), pool_, stop.get_token()));
 }

@@ -101,9 +101,11 @@ TEST(PlotSvg, HasADarkTwinForEachOfItsColours) {
 
 TEST(LabelLayout, PutsNoLabelOnAnotherOnAPointOrOutside) {
     std::vector<LabelledPoint> points;
-    for (int i = 0; i < 40; ++i)
-        points.push_back(
-            {{100 + static_cast<float>(i % 8) * 30, 50 + static_cast<float>(i / 8) * 23}, {60, 10}});
+    points.reserve(40);
+    for (int row = 0; row < 5; ++row)
+        for (int column = 0; column < 8; ++column)
+            points.push_back(
+                {{100 + static_cast<float>(column) * 30, 50 + static_cast<float>(row) * 23}, {60, 10}});
     const Vec2 corner(0), size(500, 300);
     const auto labels = layOutLabels(points, corner, size, 4);
     std::size_t placed = 0;

@@ -28,6 +28,7 @@ TEST(ParetoFront, IsWhatBruteForceFindsThatNothingBeats) {
     for (int round = 0; round < 300; ++round) {
         std::uniform_int_distribution<int> value(1, round % 2 == 0 ? 8 : 1000); // with ties, and hardly any
         std::vector<Cost> costs;
+        costs.reserve(42);
         for (int i = 0; i < 40; ++i) costs.push_back({value(random) * 0.5, value(random) * 0.25});
         costs.push_back({kNan, 0});
         costs.push_back({0, std::numeric_limits<double>::infinity()});
