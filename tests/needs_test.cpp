@@ -130,6 +130,40 @@ TEST(Needs, LeaveOutOnlyWhatChangesNoPixel) {
     }
 }
 
+TEST(Needs, OfPhysicalMethodsLeaveOutOnlyWhatChangesNoPixel) {
+    constexpr int kWidth = 48, kHeight = 32;
+    for (const Method method : {Method::Distributed, Method::Path})
+        for (std::size_t i = 0; i < materialCases().size(); ++i) {
+            TraceSettings settings = toDepth(4);
+            settings.method = method;
+            const Tracing lean(manyBalls(materialCases()[i]), settings, kWidth, kHeight);
+            World all = lean.world();
+            all.needs.refractions = all.needs.textures = true;
+            all.needs.physical = {true, true, true, {}};
+            const Tracing full(std::make_shared<const World>(all), settings, kWidth, kHeight);
+            const TileResult leanTile = lean.tile(), fullTile = full.tile();
+            EXPECT_EQ(leanTile.radiance, fullTile.radiance) << "case " << i;
+            EXPECT_EQ(leanTile.counts.rays, fullTile.counts.rays) << "case " << i;
+        }
+}
+
+TEST(Needs, OfPhysicalMethodsAreLightCoatAndBody) {
+    const auto reasonsOf = [](const Scene& scene) { return analyseNeeds(scene).physical.reasons; };
+    const char* const noGloss = "no reflection rays: every material is matte";
+    const char* const noBody = "no diffuse rays: no material is matte";
+    EXPECT_EQ(reasonsOf(ballOf(matte(Color(1)))), (Reasons{noGloss, kNoGlass, kNoTexture})) << "under a sky";
+    EXPECT_EQ(reasonsOf(ballOf(mirror(Color(1)))), (Reasons{kNoGlass, noBody, kNoTexture}));
+    EXPECT_EQ(reasonsOf(ballOf(gltf(0, 1))), (Reasons{kNoGlass, kNoTexture})) << "its coat reflects";
+
+    Scene dark = ballOf(matte(Color(1)));
+    dark.environment = {};
+    EXPECT_EQ(reasonsOf(dark).front(), "no shadow rays: no lamp, sky or object shines");
+    add(dark, Sphere{1}, glowing(Color(1)), at({3, 0, -3}));
+    EXPECT_TRUE(analyseNeeds(dark).physical.shadows);
+    for (Object& object : dark.objects) object.visible = false;
+    EXPECT_FALSE(analyseNeeds(dark).physical.shadows);
+}
+
 TEST(Needs, OfTexturedGlassLetShadowRaysThrough) {
     // The factor says metal all over, its texture says glass in every other cell.
     GltfMaterial window = gltf(1, 1, 1);

@@ -47,12 +47,13 @@ nlohmann::json statistics(const RenderJob& job, const RenderStatus& status) {
         rays[std::string(kRayKindNames[static_cast<std::size_t>(kind)])] =
             status.counts.rays[static_cast<std::size_t>(kind)];
     const World& world = *job.world;
+    const Method method = job.settings.trace.method;
     return {{"scene", job.opened.reference},
             {"width", job.settings.width},
             {"height", job.settings.height},
             {"samples", status.samples},
             {"threads", status.threads},
-            {"method", kMethodNames[static_cast<std::size_t>(job.settings.trace.method)]},
+            {"method", kMethodNames[static_cast<std::size_t>(method)]},
             {"seconds",
              {{"load", job.opened.loadSeconds},
               {"build", job.buildSeconds},
@@ -63,7 +64,7 @@ nlohmann::json statistics(const RenderJob& job, const RenderStatus& status) {
             {"deepest_ray", status.counts.deepest},
             {"accelerator", acceleratorFigures(world)},
             {"estimated_error", status.estimatedError},
-            {"not_needed", world.needs.reasons},
+            {"not_needed", isPhysical(method) ? world.needs.physical.reasons : world.needs.reasons},
             {"invalid_samples", status.counts.invalidSamples},
             {"peak_rss_bytes", peakRssBytes()}};
 }

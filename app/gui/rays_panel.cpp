@@ -61,18 +61,20 @@ void raysPanel(const Widgets& ui) {
     ui.choice("Method", "method", kMethodNames, kMethodLabels);
     dimmedText(kMethodLines[static_cast<std::size_t>(trace.method)]);
     const auto world = ui.viewer.world();
-    const SceneNeeds needs = world ? world->needs : SceneNeeds{true, true, true, true, {}};
+    const SceneNeeds needs =
+        world ? world->needs : SceneNeeds{true, true, true, true, {}, {true, true, true, {}}};
     const RayCounts counts = ui.viewer.status().counts;
     const bool physical = isPhysical(trace.method), path = trace.method == Method::Path;
     const bool casts = trace.method != Method::Local, recurses = trace.method == Method::Whitted || physical;
     if (ImGui::BeginTable("rays", 2)) {
         kindRow(ui, {RayKind::Eye, "Eye rays", nullptr, true, true}, counts);
-        kindRow(ui, {RayKind::Shadow, "Shadow rays", "shadows", needs.shadows || physical, casts}, counts);
-        const bool reflects = needs.reflections || physical;
+        const bool shadows = physical ? needs.physical.shadows : needs.shadows;
+        const bool reflects = physical ? needs.physical.reflections : needs.reflections;
+        kindRow(ui, {RayKind::Shadow, "Shadow rays", "shadows", shadows, casts}, counts);
         kindRow(ui, {RayKind::Reflection, "Reflection rays", "reflections", reflects, recurses}, counts);
         kindRow(ui, {RayKind::Refraction, "Refraction rays", "refractions", needs.refractions, recurses},
                 counts);
-        kindRow(ui, {RayKind::Diffuse, "Diffuse rays", "diffuse", true, path}, counts);
+        kindRow(ui, {RayKind::Diffuse, "Diffuse rays", "diffuse", needs.physical.diffuse, path}, counts);
         ImGui::EndTable();
     }
     ui.integer("Max depth", "max-depth", 0, kMaxDepth, true);
@@ -83,8 +85,7 @@ void raysPanel(const Widgets& ui) {
     if (!physical) ui.choice("At glass", "fresnel", kFresnelModeNames, kFresnelLabels);
     if (!path) ui.choice("Glass shadows", "glass-shadows", kGlassShadowNames, kGlassLabels);
     if (physical) ui.choice("Sampler", "sampler", kSamplerNames, kSamplerLabels);
-    if (physical) return; // the reasons are those of the taught methods
-    for (const std::string& reason : needs.reasons) dimmedText(reason);
+    for (const std::string& reason : physical ? needs.physical.reasons : needs.reasons) dimmedText(reason);
     if (!recurses) dimmedText("max depth, cutoff and weights at glass act from the method whitted on");
 }
 

@@ -29,8 +29,10 @@ MediumStack mediaAround(const World& world, const Vec3& point) {
 }
 
 TraceSettings withoutNeedless(TraceSettings settings, const SceneNeeds& needs) {
-    settings.diffuse &= settings.method == Method::Path;
-    if (isPhysical(settings.method)) { // whose sky is a lamp, and whose rough surfaces reflect
+    settings.diffuse &= settings.method == Method::Path && needs.physical.diffuse;
+    if (isPhysical(settings.method)) {
+        settings.shadows &= needs.physical.shadows;
+        settings.reflections &= needs.physical.reflections;
         settings.refractions &= needs.refractions;
         return settings;
     }
