@@ -4,6 +4,7 @@
 
 #include "core/transport/stream_tracer.h"
 #include "core/transport/streams.h"
+#include "core/transport/valid_sample.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace eyeray::HWY_NAMESPACE {
@@ -47,12 +48,8 @@ private:
         memory().treeNodes.assign(eye_.size, 0);
         result_.counts[RayKind::Eye] += eye_.size;
         tracer_.trace(0);
-        for (std::size_t i = 0; i < eye_.size; ++i) {
-            const Color radiance = eye_.direct.at(i);
-            const bool valid = isFinite(radiance);
-            if (!valid) ++result_.counts.invalidSamples;
-            result_.radiance.push_back(valid ? radiance : Color(0));
-        }
+        for (std::size_t i = 0; i < eye_.size; ++i)
+            result_.radiance.push_back(validSample(eye_.direct.at(i), result_.counts));
         eye_.size = 0;
     }
 

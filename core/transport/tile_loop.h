@@ -5,6 +5,7 @@
 #include "core/transport/direct_light.h"
 #include "core/transport/integrator.h"
 #include "core/transport/streams.h"
+#include "core/transport/valid_sample.h"
 
 namespace eyeray {
 
@@ -100,9 +101,7 @@ private:
         SampleState<Index, Recorder> state{context, geometry, counts, recorder, address};
         const Color radiance = Method::template radiance<F>(state, eyeRayOf(state));
         counts.truncatedSamples += state.treeNodes > kMaxTreeNodes ? 1 : 0;
-        if (isFinite(radiance)) return radiance;
-        ++counts.invalidSamples;
-        return Color(0);
+        return validSample(radiance, counts);
     }
 };
 
