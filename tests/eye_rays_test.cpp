@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "core/transport/trace_context.h"
+#include "tests/scenes.h"
 
 namespace eyeray {
 namespace {
@@ -140,6 +141,41 @@ TEST(EyeRays, BlurAPointOutOfFocusToItsCircleOfConfusion) {
     const Ray through = rays.through(pixel, 256, {atRim - static_cast<float>(pixel), 0});
     const Ray ray = rays.fromLens(through, {1, 0}); // from the rim on the right
     EXPECT_LE(glm::length(ray.at((-10 - ray.origin.z) / ray.direction.z) - Vec3(0, 0, -10)), 2e-5F);
+}
+
+TEST(EyeRays, AimedAtEdgesMeetEachCornerInSightAndPointsBetween) {
+    Scene scene = scenes::underSky(Color(0));
+    TriangleMesh triangle;
+    triangle.positions = {{-0.51F, -0.4F, 0}, {0.6F, -0.3F, 0.2F}, {0.1F, 0.62F, -0.1F}};
+    triangle.triangles = {{0, 1, 2}};
+    scenes::add(scene, triangle, scenes::matte(Color(1)));
+    scenes::look(scene, {0, 0, 3}, {0, 0, 0}, 40);
+    const auto world = buildWorld(std::make_shared<const Scene>(scene), {});
+    constexpr int kSide = 60;
+    EyeRays rays(scene.cameras.front(), world->origin, kSide, kSide);
+    const EyeRays plain = rays;
+    rays.aimAtEdges(*world);
+    int aimed = 0;
+    std::array<int, 3> atCorner{};
+    for (int y = 0; y < kSide; ++y)
+        for (int x = 0; x < kSide; ++x) {
+            const Ray ray = rays.through(x, y, Vec2(0.5F)), centre = plain.through(x, y, Vec2(0.5F));
+            if (ray.direction == centre.direction) continue;
+            ++aimed;
+            const double step = 2 * std::tan(radians(20)) / kSide; // no more than a pixel from its centre
+            EXPECT_LT(glm::length(ray.direction - centre.direction), step);
+            double nearest = 1;
+            for (std::size_t i = 0; i < 3; ++i) {
+                const DVec3 a(triangle.positions[i] - Vec3(world->origin)),
+                    b(triangle.positions[(i + 1) % 3] - Vec3(world->origin)), eye(ray.origin);
+                if (ray.direction == glm::normalize(Vec3(a) - ray.origin)) ++atCorner[i];
+                const DVec3 d(ray.direction), across = glm::cross(b - a, d);
+                nearest = std::min(nearest, std::fabs(glm::dot(a - eye, across)) / glm::length(across));
+            }
+            EXPECT_LT(nearest, 1e-6) << "it meets the line of an edge";
+        }
+    EXPECT_GT(aimed, 60);
+    for (const int hits : atCorner) EXPECT_EQ(hits, 1);
 }
 
 }

@@ -50,6 +50,18 @@ Scene ballLitFromTheEye(double scale) {
     return scene;
 }
 
+TEST(FaultCentreSampling, LeavesAnEdgeAsItIsHoweverManySamples) {
+    Scene scene = underSky(Color(1));
+    add(scene, Sphere{1}, glowing(Color(0)));
+    look(scene, {0, 0, 5}, {0, 0, 0});
+    const Tracing wrong(scene, with(Fault::CentreSampling), 32, 32), right(scene, casting(), 32, 32);
+    EXPECT_EQ(wrong.radiance(0), right.radiance(0)) << "whose first sample is through the centre too";
+    for (int pass = 1; pass < 4; ++pass) {
+        EXPECT_EQ(wrong.radiance(pass), wrong.radiance(0));
+        EXPECT_NE(right.radiance(pass), right.radiance(0));
+    }
+}
+
 TEST(FaultGlobalEpsilon, ShadowsTheSurfaceByItselfUnlessTheEpsilonFitsTheScale) {
     const auto darkShare = [](double scale, float epsilon) {
         TraceSettings settings = with(Fault::GlobalEpsilon);

@@ -92,7 +92,9 @@ void addPicture(CLI::App& app, PictureOptions& options) {
     addMachine(app, options);
     addSetting(app, options, "fault", "NAME[,NAME]", "well-known mistakes to show, such as moller-trumbore");
     addSetting(app, options, "epsilon", "E", "what the fault global-epsilon skips of a ray");
+    addSetting(app, options, "clamp", "L", "radiance that the fault early-clamp cuts off at");
     addSetting(app, options, "precision", "NAME", "float or double formulas of faults");
+    addSetting(app, options, "aim", "NAME", "what eye rays go through: samples, or edges of meshes");
 }
 
 void addChart(CLI::App& app, ChartOptions& options) {

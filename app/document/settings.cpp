@@ -12,7 +12,7 @@ namespace {
 
 using namespace std::string_view_literals;
 
-constexpr double kMostSeconds = 1e6;
+constexpr double kMostSeconds = 1e6, kMostRadiance = 1e6;
 constexpr double kLargestLens = 1e3, kFarthestFocus = 1e9; // metres
 
 // Each setting is a reference into a Document, with how to read it.
@@ -102,6 +102,8 @@ constexpr auto sampler = [](auto& d) -> auto& { return d.render.trace.sampler; }
 constexpr auto fresnel = [](auto& d) -> auto& { return d.render.trace.fresnel; };
 constexpr auto glassShadows = [](auto& d) -> auto& { return d.render.trace.glassShadows; };
 constexpr auto epsilon = [](auto& d) -> auto& { return d.render.trace.epsilon; };
+constexpr auto clamp = [](auto& d) -> auto& { return d.render.trace.clamp; };
+constexpr auto aim = [](auto& d) -> auto& { return d.render.trace.aim; };
 constexpr auto precision = [](auto& d) -> auto& { return d.render.trace.precision; };
 constexpr auto lens = [](auto& d) -> auto& { return d.camera.lensRadius; };
 constexpr auto focus = [](auto& d) -> auto& { return d.camera.focusDistance; };
@@ -149,8 +151,12 @@ constexpr std::array kSettings = {
     entry<Integer<seed, 0, 2147483647>>("seed", "start of the addressed random numbers"),
     entry<Faults>("fault", "mistakes to show, with commas between; none is as well as is known"),
     entry<Number<epsilon, 0, 1>>("epsilon", "what the fault global-epsilon skips of a ray: 0 to 1"),
+    entry<Number<clamp, 0, kMostRadiance>>("clamp",
+                                           "radiance that the fault early-clamp cuts off at: 0 to 1000000"),
     entry<Choice<precision, kPrecisionNames>>("precision",
                                               "of the textbook formulas of faults: float or double"),
+    entry<Choice<aim, kAimNames>>(
+        "aim", "what eye rays go through: samples of their pixels, or edges of meshes that cross them"),
 };
 
 }

@@ -71,7 +71,7 @@ Color physicalRadiance(SampleState<Index, Recorder>& state, const PhysicalRay& r
         }
     }
     radiance *= transmitted;
-    if (state.faults().has(Fault::EarlyClamp)) radiance = glm::clamp(radiance, 0.0F, 1.0F);
+    if (state.faults().has(Fault::EarlyClamp)) radiance = glm::clamp(radiance, 0.0F, context.settings.clamp);
     if constexpr (Recorder::kOn) state.recorder.at(record).radiance = radiance;
     return radiance;
 }

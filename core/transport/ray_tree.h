@@ -41,7 +41,8 @@ Color radianceAlong(SampleState<Index, Recorder>& state, const TreeRay& treeRay,
         if constexpr (Recorder::kOn) state.recorder.at(record).background = radiance;
     }
     radiance *= transmitted;
-    if (state.faults().has(Fault::EarlyClamp)) radiance = glm::clamp(radiance, 0.0F, 1.0F);
+    if (state.faults().has(Fault::EarlyClamp))
+        radiance = glm::clamp(radiance, 0.0F, state.context.settings.clamp);
     if constexpr (Recorder::kOn) state.recorder.at(record).radiance = radiance;
     return radiance;
 }

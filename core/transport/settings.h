@@ -30,6 +30,11 @@ inline constexpr std::array<std::string_view, 2> kFresnelModeNames = {"exact", "
 enum class GlassShadows : std::uint8_t { OpaqueOnly, Straight, AllBlock };
 inline constexpr std::array<std::string_view, 3> kGlassShadowNames = {"opaque", "straight", "all"};
 
+/// What eye rays go through: a sample's place in its pixel, or, where a pixel is crossed by an edge of a
+/// mesh, a place on the edge, where leaks are.
+enum class Aim : std::uint8_t { Samples, Edges };
+inline constexpr std::array<std::string_view, 2> kAimNames = {"samples", "edges"};
+
 /// Of the textbook formulas that faults bring in.
 enum class Precision : std::uint8_t { Float, Double };
 inline constexpr std::array<std::string_view, 2> kPrecisionNames = {"float", "double"};
@@ -47,7 +52,9 @@ struct TraceSettings {
 
     FaultSet faults;       // empty: everything is done as well as is known
     float epsilon = 1e-4F; // metres or parts of a ray that Fault::GlobalEpsilon skips. 0 to 1
+    float clamp = 1;       // radiance that Fault::EarlyClamp leaves of more. 0 to 10⁶
     Precision precision = Precision::Float;
+    Aim aim = Aim::Samples;
 
     friend bool operator==(const TraceSettings&, const TraceSettings&) = default;
 };

@@ -16,6 +16,7 @@ Ray eyeRayOf(const SampleState<Index, Recorder>& state) {
     const TraceContext& context = state.context;
     const int x = static_cast<int>(state.address.x), y = static_cast<int>(state.address.y);
     Vec2 inPixel = pixelSample(state.address);
+    if (faults.has(Fault::CentreSampling)) inPixel = Vec2(0.5F);
     if (faults.has(Fault::CornerSampling)) inPixel -= Vec2(0.5F);
     return context.eyeRays.through(x, faults.has(Fault::FlippedRows) ? context.height - 1 - y : y, inPixel);
 }

@@ -59,6 +59,9 @@ EyeRays::EyeRays(const Camera& camera, const DVec3& origin, int width, int heigh
 }
 
 Ray EyeRays::through(int x, int y, const Vec2& inPixel) const {
+    if (!aims_.empty())
+        if (const Vec3& aim = aims_[pixelIndex(x, y)]; isFinite(aim))
+            return {eye_, glm::normalize(aim - eye_)};
     const float right = (2 * (static_cast<float>(x) + inPixel.x) - width_) / width_;
     const float up = (height_ - 2 * (static_cast<float>(y) + inPixel.y)) / height_;
     return {eye_, glm::normalize(forward_ + right * right_ + up * up_)};
@@ -83,6 +86,8 @@ TraceContext::TraceContext(std::shared_ptr<const World> traced, const Camera& ca
       textbook(settings.faults.empty()
                    ? nullptr
                    : textbookGeometry(*world->accel, world->origin, settings.faults, settings.epsilon,
-                                      settings.precision == Precision::Double)) {}
+                                      settings.precision == Precision::Double)) {
+    if (settings.aim == Aim::Edges) eyeRays.aimAtEdges(*world);
+}
 
 }

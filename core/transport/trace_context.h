@@ -31,11 +31,24 @@ public:
     Ray fromLens(const Ray& through, const Vec2& u) const;
     bool hasLens() const { return lensRight_ != Vec3(0); }
 
+    /// From now on the rays of pixels that an edge of a mesh crosses go exactly at a place on it: at its ends
+    /// and between, the nearest to the eye. Random rays hardly ever meet an edge, which is why leaks go
+    /// unseen.
+    void aimAtEdges(const World&);
+
 private:
+    void aimAlong(const Vec3& from, const Vec3& to);
+    void aimAt(const Vec3& place);
+    Vec3 onScreen(const Vec3& place) const; // x and y in pixels, and the depth
+    std::size_t pixelIndex(int x, int y) const {
+        return static_cast<std::size_t>(y) * static_cast<std::size_t>(width_) + static_cast<std::size_t>(x);
+    }
+
     Vec3 eye_, right_, up_, forward_;
     float width_, height_;
     Vec3 lensRight_, lensUp_;
     float focusDistance_;
+    std::vector<Vec3> aims_; // by pixel; NaN where there is no edge. Empty: rays go where they are told to
 };
 
 struct TraceContext {
