@@ -80,12 +80,15 @@ TEST(Lab, SliderLeadsFromRightToWrong) {
         double right, wrong;
     };
     for (const Case& c : {Case{"lab-sphere", 10, 1e5},
+                          {"lab-leaks", 4, 128},
                           {"lab-holes", 10, 0.01},
                           {"lab-far", 1, 1e7},
                           {"lab-squash", 1, 0.05},
                           {"lab-glass", 0, 60},
                           {"lab-terminator", 128, 8},
                           {"lab-tunnel", 64, 0},
+                          {"lab-cutoff", 1e-3, 1},
+                          {"lab-fireflies", 1000, 0.1},
                           {"lab-epsilon", 1e-4, 0}}) {
         EXPECT_LT(wrongAt(c.name, c.right), 0.12) << c.name;
         EXPECT_GT(wrongAt(c.name, c.wrong), wrongAt(c.name, c.right) + 0.01) << c.name;
@@ -110,9 +113,43 @@ TEST(Lab, TunnelGainsLightWithEachLevelOfRecursion) {
     }
 }
 
-TEST(Lab, ClampedCausticIsDarker) {
-    const Sides sides = sidesOf("lab-fireflies", 0.1, 16);
-    EXPECT_LT(sides.lightNaive, 0.97 * sides.lightRobust);
+TEST(Lab, ClampedCausticIsTheDarkerTheLowerTheClamp) {
+    double last = 0;
+    for (const double clamp : {0.1, 1.0, 10.0, 100.0}) {
+        const Sides sides = sidesOf("lab-fireflies", clamp, 16);
+        EXPECT_GT(sides.lightNaive, last) << clamp;
+        EXPECT_LE(sides.lightNaive, (clamp <= 1 ? 0.97 : 1.0) * sides.lightRobust) << clamp;
+        last = sides.lightNaive;
+    }
+}
+
+TEST(Lab, RouletteWithoutWeightsIsTheDarkerTheWhiterTheWalls) {
+    const Sides dark = sidesOf("lab-roulette", 0.3, 8), white = sidesOf("lab-roulette", 0.9, 8);
+    EXPECT_LT(dark.lightNaive, dark.lightRobust);
+    EXPECT_LT(white.lightNaive / white.lightRobust, dark.lightNaive / dark.lightRobust - 0.1);
+}
+
+TEST(Lab, NothingIsSeenThroughAClosedMeshButByTheNaiveSide) {
+    const auto white = [](const ByteImage& picture) {
+        return std::ranges::count(picture.values(), Rgba8{255, 255, 255, 255});
+    };
+    for (const double rows : {16.0, 64.0}) {
+        const Sides sides = sidesOf("lab-leaks", rows);
+        EXPECT_EQ(white(sides.robust), 0) << rows;
+        EXPECT_GT(white(sides.naive), 20) << rows;
+    }
+}
+
+TEST(Lab, SamplesSmoothOneSideOfTheAliasedFloorAlone) {
+    const auto changed = [](const ByteImage& a, const ByteImage& b) {
+        double count = 0;
+        for (std::size_t i = 0; i < a.values().size(); ++i) count += a.values()[i] != b.values()[i] ? 1 : 0;
+        return count / static_cast<double>(a.values().size());
+    };
+    const Sides once = sidesOf("lab-aliasing", 1, 1), often = sidesOf("lab-aliasing", 16, 16);
+    EXPECT_EQ(changed(once.naive, once.robust), 0) << "the first sample is through the centre";
+    EXPECT_EQ(changed(once.naive, often.naive), 0);
+    EXPECT_GT(changed(once.robust, often.robust), 0.1);
 }
 
 TEST(Lab, SliderIsACommandAndUndoneByADifference) {

@@ -28,6 +28,12 @@ void label(const Widgets& ui, const std::string& text, ImVec2 at, bool right) {
     list.AddText({x + pad, at.y + pad / 2}, ImGui::GetColorU32(ImGuiCol_Text), text.c_str());
 }
 
+/// Whether a setting is that of a fault which is off.
+bool idle(std::string_view key, FaultSet faults) {
+    return (key == "epsilon" && !faults.has(Fault::GlobalEpsilon)) ||
+           (key == "clamp" && !faults.has(Fault::EarlyClamp));
+}
+
 double percent(std::uint64_t part, std::uint64_t whole) {
     return whole > 0 ? 100.0 * static_cast<double>(part) / static_cast<double>(whole) : 0;
 }
@@ -39,11 +45,13 @@ SideNames sideNames(const Document& document) {
     SideNames names;
     const Command set = Command::parse("set " + document.comparison.with);
     const Document other = otherSide(document);
+    const auto tell = [](std::string& name, const std::string& key, const Document& side) {
+        if (idle(key, side.render.trace.faults)) return;
+        name += fmt::format("{}{}={}", name.empty() ? "" : "\n", key, settingNamed(key).get(side));
+    };
     for (const auto& [key, value] : set.arguments()) {
-        const Setting& setting = settingNamed(key);
-        const char* const space = names.own.empty() ? "" : "\n";
-        names.other += fmt::format("{}{}={}", space, key, setting.get(other));
-        names.own += fmt::format("{}{}={}", space, key, setting.get(document));
+        tell(names.other, key, other);
+        tell(names.own, key, document);
     }
     return names;
 }
@@ -57,7 +65,8 @@ std::vector<std::string> wrongLines(const PictureChange& change) {
     const double light = change.lightHere > 0 ? 100 * (change.lightThere / change.lightHere - 1) : 0;
     return {fmt::format("{} pixels wrong ({:.2f} %), light {:+.1f} %", countText(change.wrong),
                         percent(change.wrong, change.pixels), light),
-            fmt::format("{:.2f} s | {:.2f} s for {} sample{}", change.secondsThere, change.secondsHere,
+            fmt::format("{:.2f} s | {:.2f} s, {} | {} rays for {} sample{}", change.secondsThere,
+                        change.secondsHere, countText(change.there.total()), countText(change.here.total()),
                         change.samples, change.samples == 1 ? "" : "s")};
 }
 
@@ -153,7 +162,7 @@ void CompareView::legend(const Widgets& ui, const LegendPlace& place) const {
     });
 }
 
-/// What the class reads off: how wrong the left side is, what it costs, and why.
+/// What the class reads off: how wrong the left side is, what it costs, why, and who found the cure.
 void CompareView::labLegend(const Widgets& ui) {
     const auto& change = ui.viewer.comparison().change();
     if (change) {
@@ -163,7 +172,9 @@ void CompareView::labLegend(const Widgets& ui) {
     } else {
         ImGui::TextDisabled("tracing both sides");
     }
-    ImGui::TextWrapped("%s", std::string(ui.viewer.document().lab->why).c_str());
+    const LabDemo& demo = *ui.viewer.document().lab;
+    ImGui::TextWrapped("%s", std::string(demo.why).c_str());
+    dimmedText(std::string(demo.fix));
 }
 
 }

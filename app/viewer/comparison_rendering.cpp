@@ -12,18 +12,27 @@ constexpr int kNeverBySamples = 1 << 30;
 
 int following(int samples) { return samples < kEvenStep ? 2 * samples : samples + kEvenStep; }
 
-/// Over each wrong pixel a veil in a colour that no scene has; of few ones, so that they are seen, a blot
-/// over their neighbours as well.
+/// Over each wrong pixel a veil in a colour that no scene has; where few are wrong, so that they are seen, a
+/// blot over the neighbours of lonely ones as well.
 ByteImage marksOf(const std::vector<std::pair<int, int>>& wrong, int width, int height) {
     constexpr Rgba8 kVeil{255, 0, 200, 140}, kBlot{255, 0, 200, 255};
-    constexpr std::size_t kFew = 400; // one in so many pixels
-    const bool few = wrong.size() * kFew < static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
-    const int reach = few ? 1 : 0;
+    constexpr std::size_t kFew = 100; // one in so many pixels
+    constexpr int kLonely = 3;        // wrong neighbours at most
     ByteImage marks(width, height, {0, 0, 0, 0});
-    for (const auto& [x, y] : wrong)
-        for (int j = std::max(0, y - reach); j <= std::min(y + reach, height - 1); ++j)
-            for (int i = std::max(0, x - reach); i <= std::min(x + reach, width - 1); ++i)
-                marks.at(i, j) = few ? kBlot : kVeil;
+    for (const auto& [x, y] : wrong) marks.at(x, y) = kVeil;
+    if (wrong.size() * kFew >= static_cast<std::size_t>(width) * static_cast<std::size_t>(height))
+        return marks;
+    const ByteImage veils = marks;
+    for (const auto& [x, y] : wrong) {
+        const int left = std::max(0, x - 1), right = std::min(x + 1, width - 1);
+        const int top = std::max(0, y - 1), bottom = std::min(y + 1, height - 1);
+        int around = -1;
+        for (int j = top; j <= bottom; ++j)
+            for (int i = left; i <= right; ++i) around += veils.at(i, j).a > 0 ? 1 : 0;
+        if (around > kLonely) continue;
+        for (int j = top; j <= bottom; ++j)
+            for (int i = left; i <= right; ++i) marks.at(i, j) = kBlot;
+    }
     return marks;
 }
 

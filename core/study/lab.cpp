@@ -24,11 +24,14 @@ constexpr std::string_view kFloatWorld = "fault=float-world";
 constexpr std::string_view kNormalsByMatrix = "fault=normals-by-m";
 constexpr std::string_view kGlass = "fault=schlick-inner-cosine,nan-refraction";
 constexpr std::string_view kHardTerminator = "fault=hard-terminator";
-constexpr std::string_view kEarlyClamp = "fault=early-clamp";
+constexpr std::string_view kRoulette = "fault=roulette-unweighted";
 constexpr std::string_view kBadSeeding = "fault=bad-seeding";
 constexpr std::string_view kSolidChecker = "fault=solid-checker";
+constexpr std::string_view kCentreSampling = "fault=centre-sampling";
 
 std::string epsilonOf(double value) { return fmt::format("fault=global-epsilon epsilon={:.6g}", value); }
+std::string clampOf(double value) { return fmt::format("fault=early-clamp clamp={:.6g}", value); }
+std::string cutoffOf(double value) { return fmt::format("cutoff={:.6g}", value); }
 std::string depthOf(double value) { return fmt::format("max-depth={}", static_cast<int>(value)); }
 
 constexpr double kStep = 0.05; // of a slider's way
@@ -56,6 +59,13 @@ constexpr std::array kDemos = {
             {"world scale", 1e-3, 1e5, 1e4, true, false},
             lab::scaledBalls,
             always<kSmallEpsilon>},
+    LabDemo{"lab-leaks",
+            "Sparks through a closed mesh",
+            "Each triangle rounds its edges for itself: rays aimed at a shared one can miss both.",
+            "The same edge test, by sign, on both sides: Woop, Benthin, Wald, JCGT 2(1) 2013",
+            {"rows of triangles", 4, 256, 32, true, true},
+            lab::closedBall,
+            always<kMollerTrumbore>},
     LabDemo{"lab-holes",
             "Triangles that vanish",
             "A determinant below 0.000001 counts as parallel: so does every small or slanting triangle.",
@@ -106,13 +116,27 @@ constexpr std::array kDemos = {
             {"depth", 0, 24, 4, false, true},
             lab::mirrorTunnel,
             depthOf},
+    LabDemo{"lab-cutoff",
+            "A cutoff for faint rays",
+            "Below the cutoff lies the whole tail of a series: ρ^k / (1 − ρ) of the light, not ρ^k.",
+            "No cutoff, or roulette, which keeps the mean: Arvo, Kirk, SIGGRAPH 1990",
+            {"cutoff", 1e-3, 1, 0.5, true, false},
+            lab::faintRays,
+            cutoffOf},
+    LabDemo{"lab-roulette",
+            "Roulette without its weights",
+            "Paths that go on must stand for those that ended: without 1/p their light is lost.",
+            "Divide by the probability of going on: Arvo, Kirk, SIGGRAPH 1990",
+            {"walls reflect", 0.1, 0.9, 0.7, false, false},
+            lab::whiteRoom,
+            always<kRoulette>},
     LabDemo{"lab-fireflies",
             "Clamped fireflies",
             "Rare bright samples carry real light: clamping them buys a calm picture with a dark one.",
             "Better sampling, not a clamp: Veach, Guibas 1995; the mean is what must not change",
-            {"lamp radius, m", 0.02, 0.6, 0.1, true, false},
+            {"clamp", 0.1, 1000, 1, true, false},
             lab::caustic,
-            always<kEarlyClamp>},
+            clampOf},
     LabDemo{"lab-seeds",
             "Random numbers by the pixel's number",
             "Neighbouring seeds give neighbouring numbers, and a generator seeded anew repeats itself.",
@@ -120,6 +144,13 @@ constexpr std::array kDemos = {
             {"samples", 1, 256, 16, true, true},
             lab::softShadow,
             always<kBadSeeding>},
+    LabDemo{"lab-aliasing",
+            "Aliasing",
+            "One place speaks for a whole pixel: what is smaller becomes moiré, however many samples.",
+            "Samples all over the pixel: Crow, CACM 20(11) 1977; Cook, ACM TOG 5(1) 1986",
+            {"samples", 1, 256, 16, true, true},
+            lab::checkerPlain,
+            always<kCentreSampling>},
     LabDemo{"lab-checker",
             "A checker in three dimensions",
             "y is 0 give or take a rounding, and floor(y) flips the square; far away both sides alias.",

@@ -57,6 +57,20 @@ Scene scaledBalls(double scale) {
     return scene;
 }
 
+Scene closedBall(double rows) {
+    Scene scene = underSky(Color(1), Color(1));
+    TriangleMesh room = ballMesh(static_cast<int>(rows));
+    room.normals.clear(); // each triangle is to be seen
+    for (Vec3& position : room.positions) position *= 10.0F;
+    add(scene, "room", std::move(room), matte({0.03F, 0.06F, 0.14F}),
+        glm::rotate(DMat4(1), 0.9, glm::normalize(DVec3(3, 1, 2))));
+    scene.ambient = Color(0.3F);
+    addLamp(scene, {3, 5, 2});
+    look(scene, {0.7, 1.1, 5.3}, {0, 0, 0}, 60);
+    scene.settings = {"set method=cast aim=edges samples=1 error=0"};
+    return scene;
+}
+
 Scene smallKnot(double size) {
     Scene scene = underDaySky();
     TriangleMesh knot = makeKnot({.radius = 1, .tube = 0.34, .triangles = 12000});

@@ -74,6 +74,9 @@ inline TaughtMaterial checkered(Scene& scene, const Color& even, const Color& od
     return material;
 }
 
+/// A unit ball of `rows` by 2·rows quads with the normals of a sphere.
+TriangleMesh ballMesh(int rows);
+
 /// The lectures' lamp: as bright at any distance.
 inline void addLamp(Scene& scene, const DVec3& place, const Color& color = Color(1)) {
     Light lamp;

@@ -8,30 +8,6 @@
 namespace eyeray::lab {
 namespace {
 
-/// A unit ball of `rows` by 2·rows quads with the normals of a sphere.
-TriangleMesh ball(int rows) {
-    TriangleMesh mesh;
-    const int columns = 2 * rows;
-    for (int row = 0; row <= rows; ++row)
-        for (int column = 0; column < columns; ++column) {
-            const double theta = kPiD * row / rows, phi = 2 * kPiD * column / columns;
-            const DVec3 p(std::sin(theta) * std::cos(phi), std::cos(theta), std::sin(theta) * std::sin(phi));
-            mesh.positions.emplace_back(p);
-            mesh.normals.emplace_back(p);
-        }
-    const auto vertex = [&](int row, int column) {
-        return static_cast<std::uint32_t>(row * columns + column % columns);
-    };
-    for (int row = 0; row < rows; ++row)
-        for (int column = 0; column < columns; ++column) {
-            const std::uint32_t a = vertex(row, column), b = vertex(row, column + 1),
-                                c = vertex(row + 1, column), d = vertex(row + 1, column + 1);
-            if (row > 0) mesh.triangles.push_back({a, b, d});
-            if (row + 1 < rows) mesh.triangles.push_back({a, d, c});
-        }
-    return mesh;
-}
-
 void addRoom(Scene& scene) {
     const TaughtMaterial wall = matte({0.70F, 0.68F, 0.64F});
     add(scene, "floor", Plane{6, 6, true}, wall);
@@ -61,7 +37,7 @@ Scene insideGlass(double angle) {
 
 Scene smoothBall(double segments) {
     Scene scene = underSky({0.04F, 0.05F, 0.08F}, {0.06F, 0.07F, 0.10F});
-    add(scene, "ball", ball(std::max(3, static_cast<int>(segments) / 2)), matte({0.80F, 0.72F, 0.60F}));
+    add(scene, "ball", ballMesh(std::max(3, static_cast<int>(segments) / 2)), matte({0.80F, 0.72F, 0.60F}));
     addLamp(scene, {-8, 2, -3});
     look(scene, {0, 0, 5}, {0, 0, 0}, 30);
     scene.settings = {"set method=cast"};
@@ -82,15 +58,40 @@ Scene mirrorTunnel(double /*depth*/) {
     return scene;
 }
 
-Scene caustic(double radius) {
+Scene faintRays(double /*cutoff*/) { return mirrorTunnel(0); }
+
+Scene whiteRoom(double albedo) {
+    Scene scene = underSky(Color(0), Color(0));
+    const TaughtMaterial wall = matte(Color(static_cast<float>(albedo)));
+    for (int side = 0; side < 4; ++side)
+        add(scene, "wall", Plane{4, 6}, wall,
+            glm::rotate(DMat4(1), side * kPiD / 2, DVec3(0, 0, 1)) * at({0, -2, 0}));
+    for (const double end : {-3.0, 3.0})
+        add(scene, "end", Plane{4, 4, true}, wall, at({0, 0, end}) * upright());
+    add(scene, "ball", Sphere{0.9F}, matte({0.75F, 0.25F, 0.18F}), at({-0.7, -1.1, -0.8}));
+    add(scene, "block", Box{{1, 1.8F, 1}}, wall,
+        at({1, -1.1, -0.4}) * glm::rotate(DMat4(1), radians(25), DVec3(0, 1, 0)));
+    Light lamp;
+    lamp.name = "lamp";
+    lamp.shape = RectangleLamp{1.2, 1.2};
+    lamp.intensity = 3;
+    lamp.transform = at({0, 1.99, -0.5}) * glm::rotate(DMat4(1), -kPiD / 2, DVec3(1, 0, 0));
+    scene.lights.push_back(lamp);
+    look(scene, {0, 0, 2.9}, {0, -0.1, -3}, 62);
+    scene.settings = {"set method=path max-depth=16 samples=8 error=0"};
+    return scene;
+}
+
+Scene caustic(double /*clamp*/) {
+    constexpr double kRadius = 0.1;
     Scene scene = underSky(Color(0), Color(0));
     addRoom(scene);
     add(scene, "glass ball", Sphere{0.8F}, glass(), at({-0.5, 1.0, 0}));
     add(scene, "metal ball", Sphere{0.5F}, mirror({0.9F, 0.75F, 0.45F}), at({1.3, 0.5, 0.4}));
     Light lamp;
     lamp.name = "lamp";
-    lamp.shape = SphereLamp{radius};
-    lamp.intensity = 6 / (radius * radius);
+    lamp.shape = SphereLamp{kRadius};
+    lamp.intensity = 6 / (kRadius * kRadius);
     lamp.transform = at({-1.8, 3.4, 0.6});
     scene.lights.push_back(lamp);
     look(scene, {0.3, 3.4, 5.6}, {0.3, 0.2, 0.2}, 36);
