@@ -2,6 +2,7 @@
 // A triangle by its own barycentric coordinates.
 
 #include <array>
+#include <cmath>
 #include <optional>
 
 #include "core/geometry/textbook_ray.h"
@@ -39,6 +40,14 @@ std::optional<TriangleHit<T>> intersectTriangle(const Corners<T>& corners, const
     const T t = glm::dot(edge2, q) * inverse;
     if (t <= ray.tMin || t >= ray.tMax) return {};
     return TriangleHit<T>{t, u, v};
+}
+
+/// Twice the signed area of the origin with p and q, as a compiler that contracts a·b − c·d to one FMA
+/// computes it. F19: one product is rounded and the other is not, so side(p, p) is not 0 and side(p, q) is
+/// not −side(q, p).
+template <class T>
+T contractedSide(const glm::vec<2, T>& p, const glm::vec<2, T>& q) {
+    return std::fma(p.x, q.y, -(p.y * q.x));
 }
 
 }

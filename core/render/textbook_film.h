@@ -1,8 +1,10 @@
 #pragma once
 // Sums of samples and their display, the simple way.
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <span>
 
 namespace eyeray::textbook {
 
@@ -16,6 +18,22 @@ inline std::uint8_t blended(std::uint8_t mean, std::uint8_t sample, int n) {
 template <class T>
 std::uint8_t encoded(T linear) {
     return static_cast<std::uint8_t>(T(255) * std::pow(linear, 1 / T(2.2)));
+}
+
+/// The sum of all samples, each of `parts` threads its own part of them first. F62: the parts round in other
+/// places, so every number of threads gives another sum.
+template <class T>
+T sumOfParts(std::span<const float> samples, int parts) {
+    T sum = 0;
+    const std::size_t size =
+        (samples.size() + static_cast<std::size_t>(parts) - 1) / static_cast<std::size_t>(parts);
+    for (std::size_t first = 0; first < samples.size(); first += size) {
+        T part = 0;
+        for (const float sample : samples.subspan(first, std::min(size, samples.size() - first)))
+            part += sample;
+        sum += part;
+    }
+    return sum;
 }
 
 }

@@ -14,8 +14,9 @@ const std::optional<Measured>& formOf(const StabilityPoint& point, Form form) {
 
 std::vector<StabilityCase> gathered() {
     std::vector<StabilityCase> all;
-    for (const auto group : {sphereCases, triangleCases, boxCases, spawnCases, transformCases, opticsCases,
-                             samplingCases, lampCases, sumCases})
+    for (const auto group :
+         {sphereCases, triangleCases, boxCases, spawnCases, transformCases, opticsCases, samplingCases,
+          lampCases, sumCases, tieCases, shadingCases, seriesCases, pixelCases, numberCases})
         for (StabilityCase& one : group()) all.push_back(std::move(one));
     std::ranges::sort(all, {}, &StabilityCase::id);
     return all;

@@ -14,5 +14,10 @@ std::vector<StabilityCase> opticsCases();
 std::vector<StabilityCase> samplingCases();
 std::vector<StabilityCase> lampCases();
 std::vector<StabilityCase> sumCases();
+std::vector<StabilityCase> tieCases();
+std::vector<StabilityCase> shadingCases();
+std::vector<StabilityCase> seriesCases();
+std::vector<StabilityCase> pixelCases();
+std::vector<StabilityCase> numberCases();
 
 }

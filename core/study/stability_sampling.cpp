@@ -12,16 +12,6 @@ namespace {
 
 const Vec3 kUp(0, 1, 0);
 
-/// Mean of what `value` makes of each answer, and time; the error is what `judge` says of the mean.
-template <class Input, class Call, class Value, class Judge>
-Measured averaged(const std::vector<Input>& inputs, const StabilityEffort& effort, const Call& call,
-                  const Value& value, const Judge& judge) {
-    double sum = 0;
-    for (const Input& input : inputs) sum += value(input, call(input));
-    const Verdict verdict = judge(sum / static_cast<double>(inputs.size()));
-    return {verdict.error, verdict.failed ? 1e6 : 0, nanosecondsOf(inputs, effort, call)};
-}
-
 /// Points of one pixel's Sobol' sequence, and one more number for each.
 struct Drawn {
     Vec2 u;

@@ -4,12 +4,11 @@
 #include "core/geometry/shapes.h"
 #include "core/geometry/textbook_plane.h"
 #include "core/image/srgb.h"
-#include "core/render/film.h"
 #include "core/render/textbook_film.h"
 #include "core/scene/textbook_checker.h"
 #include "core/scene/texture.h"
+#include "core/study/stability_film.h"
 #include "core/study/stability_groups.h"
-#include "core/study/stability_trials.h"
 
 namespace eyeray {
 namespace {
@@ -74,37 +73,6 @@ MeasuredForms encodedBytes(double linear, const StabilityEffort& effort) {
             const double error = std::fabs(byte - 255 * code);
             return {error, error > 1};
         });
-}
-
-constexpr int kTilePixels = kTileSize * kTileSize;
-
-/// A film of one tile, or of one pixel, that takes the same sample in each pixel.
-class EvenFilm {
-public:
-    explicit EvenFilm(int side) : film_(side, side) {
-        const auto pixels = static_cast<std::size_t>(side) * static_cast<std::size_t>(side);
-        sample_ = {.tile = film_.tile(0), .radiance = {pixels, Color(0)}, .counts = {}, .complete = true};
-    }
-    TileResult& sample() { return sample_; }
-    void add() { film_.add(0, sample_, passes_++); }
-    ColorImage mean() const { return film_.mean(passes_); }
-
-private:
-    Film film_;
-    TileResult sample_;
-    int passes_ = 0;
-};
-
-/// Of a sample in a film, for each pixel.
-double filmNanoseconds(const StabilityEffort& effort) {
-    EvenFilm film(kTileSize);
-    const std::vector<int> passes(64);
-    return nanosecondsOf(passes, effort,
-                         [&](int) {
-                             film.add();
-                             return 0;
-                         }) /
-           kTilePixels;
 }
 
 // A firefly, then small samples.

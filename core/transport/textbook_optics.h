@@ -31,4 +31,18 @@ T schlick(T cosine, T eta) {
     return f0 + (1 - f0) * std::pow(1 - cosine, T(5));
 }
 
+/// 2(n·wo)n − wo about a normal that shading has bent. F35: where that leans away from the surface's own, the
+/// ray goes inside.
+template <class T>
+Vector<T> mirroredAbout(const Vector<T>& bentNormal, const Vector<T>& wo) {
+    return 2 * glm::dot(bentNormal, wo) * bentNormal - wo;
+}
+
+/// (r·wo)ⁿ. F33: without the test whether the lamp is behind the surface it shines through; and the power of
+/// a negative number is NaN.
+template <class T>
+T highlight(const Vector<T>& wo, const Vector<T>& normal, const Vector<T>& wi, T shininess) {
+    return std::pow(glm::dot(mirroredAbout(normal, wi), wo), shininess);
+}
+
 }

@@ -18,4 +18,24 @@ T furnaceByRoulette(T albedo, const Draw& draw) {
     }
 }
 
+/// The same light while a bounce still weighs `cutoff` or more. F40: what is cut off is the whole rest of the
+/// series, albedo^k / (1 − albedo). After R. Hall, D. Greenberg 1983, "A Testbed for Realistic Image
+/// Synthesis".
+template <class T>
+T furnaceCutOff(T albedo, T cutoff) {
+    T sum = 0;
+    for (T weight = 1; weight >= cutoff; weight *= albedo) sum += weight;
+    return sum;
+}
+
+/// The same light if each bounce takes the walls for lamps, and counts their glow again where the path goes
+/// on. F42: each is right for itself; together they want weights (E. Veach, L. Guibas 1995).
+template <class T>
+T furnaceLitTwice(T albedo) {
+    constexpr T kNothing = T(1e-9);
+    T sum = 0;
+    for (T weight = 1; weight > kNothing; weight *= albedo) sum += weight + weight * albedo;
+    return sum;
+}
+
 }

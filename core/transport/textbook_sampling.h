@@ -46,4 +46,16 @@ T firstOfSeed(std::uint32_t seed) {
     return static_cast<T>(kFactor * (seed + 1) % kModulus) / static_cast<T>(kModulus);
 }
 
+/// The digits of `index` in a base, mirrored at the point. J. Halton 1960, "On the Efficiency of Certain
+/// Quasi-random Sequences of Points". F52: in high bases the first points lie on few lines.
+template <class T>
+T halton(std::uint32_t index, std::uint32_t base) {
+    T place = 1, value = 0;
+    for (; index > 0; index /= base) {
+        place /= static_cast<T>(base);
+        value += place * static_cast<T>(index % base);
+    }
+    return value;
+}
+
 }
