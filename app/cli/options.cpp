@@ -125,6 +125,25 @@ void addChart(CLI::App& app, ChartOptions& options) {
     addSetting(app, options.picture, "threads", "N", "threads that trace; 0 is one per core");
 }
 
+/// `--apply` and the name of a file go together.
+void addNeeds(CLI::App& app, NeedsOptions& options) {
+    app.add_option("--tolerance", options.tolerance,
+                   "share of the displayed range, 0 to 1: no pixel may change by more, nor mean FLIP; else "
+                   "1/255")
+        ->check(CLI::Range(0.0, 1.0))
+        ->type_name("T");
+    app.add_flag("--json", options.json, "the items as one JSON object");
+    app.add_flag("--quiet", options.quiet, "no progress line");
+    CLI::Option* const file =
+        app.add_option("-o,--output", options.output, "the scene with the smaller settings")
+            ->type_name("FILE.gltf");
+    CLI::Option* const apply =
+        app.add_flag("--apply", options.apply, "check at full size, and write the scene with what it needs");
+    apply->needs(file);
+    file->needs(apply);
+    addPicture(app, options.picture);
+}
+
 void addScene(CLI::App& app, PictureOptions& options, bool required) {
     app.add_option("scene", options.scene, "built-in scene, .gltf or .glb file, or a picture made by Eyeray")
         ->required(required)
@@ -181,6 +200,7 @@ std::variant<Options, int> parseCommandLine(int argc, const char* const* argv) {
     StabilityOptions stability;
     CompareOptions compare;
     ChartOptions chart;
+    NeedsOptions needs;
     NameBugOptions nameBug;
     std::string size, play, stats, layer, widgets, pixel, inspected, accel, difference;
 
@@ -270,6 +290,10 @@ std::variant<Options, int> parseCommandLine(int argc, const char* const* argv) {
     addScene(*charting, chart.picture, true);
     addChart(*charting, chart);
 
+    CLI::App* needing = app.add_subcommand("needs", "what a scene needs and what it does not");
+    addScene(*needing, needs.picture, true);
+    addNeeds(*needing, needs);
+
     CLI::App* failing = app.add_subcommand(
         "stability", "where methods fail: naive formulas against the renderer's, measured");
     failing->add_option("-o,--output", stability.folder, "folder for report.html and cases.csv")
@@ -330,6 +354,7 @@ std::variant<Options, int> parseCommandLine(int argc, const char* const* argv) {
     if (failing->parsed()) return Options(stability);
     if (comparing->parsed()) return Options(compare);
     if (charting->parsed()) return Options(chart);
+    if (needing->parsed()) return Options(needs);
     if (naming->parsed()) return Options(nameBug);
     if (listing->parsed()) return Options(ScenesOptions{});
     if (view.picture.scene.empty()) view.picture.scene = kDefaultScene;

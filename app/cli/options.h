@@ -10,6 +10,7 @@
 
 #include "app/document/document.h"
 #include "core/study/hit_lines.h"
+#include "core/study/measured_needs.h"
 
 namespace eyeray {
 
@@ -91,6 +92,14 @@ struct ChartOptions {
     bool quiet = false;
 };
 
+struct NeedsOptions {
+    PictureOptions picture;
+    double tolerance = kDefaultTolerance;
+    bool apply = false;
+    std::filesystem::path output; // of the scene with the smaller settings, if it is to be applied
+    bool json = false, quiet = false;
+};
+
 struct NameBugOptions {
     PictureOptions picture;
     std::filesystem::path wrong; // that came out wrong
@@ -101,7 +110,7 @@ struct ScenesOptions {};
 
 using Options =
     std::variant<ViewOptions, RenderOptions, SnapshotOptions, InspectOptions, HitsOptions, BenchOptions,
-                 StabilityOptions, CompareOptions, ChartOptions, NameBugOptions, ScenesOptions>;
+                 StabilityOptions, CompareOptions, ChartOptions, NeedsOptions, NameBugOptions, ScenesOptions>;
 
 /// What main does next: options to carry out, or an exit code after help or version have been printed.
 /// Throws InputError for a wrong command line.

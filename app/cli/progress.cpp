@@ -9,7 +9,8 @@
 
 namespace eyeray {
 
-Progress::Progress(std::size_t steps) : steps_(steps), shown_(isatty(STDERR_FILENO) != 0) {}
+Progress::Progress(std::size_t steps, bool wanted)
+    : steps_(steps), shown_(wanted && isatty(STDERR_FILENO) != 0) {}
 
 Progress::~Progress() {
     if (shown_) fmt::print(stderr, "\r\033[K");

@@ -7,10 +7,11 @@
 
 namespace eyeray {
 
-/// A line on standard error, if that is a terminal: what was done last, how much of all, and the time left.
+/// A line on standard error, if that is a terminal and `wanted`: what was done last, how much of all, and the
+/// time left.
 class Progress {
 public:
-    explicit Progress(std::size_t steps);
+    explicit Progress(std::size_t steps, bool wanted = true);
     Progress(const Progress&) = delete;
     Progress& operator=(const Progress&) = delete;
     ~Progress();

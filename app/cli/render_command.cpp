@@ -152,7 +152,8 @@ RenderJob prepare(const RenderOptions& options) {
     };
     if (!given("error")) settings.stop.error = 0;
     if (!given("seconds")) settings.stop.seconds = 0;
-    if (!options.picture.stops) settings.stop.samples = kDefaultSamples;
+    const bool stated = settings.stop.samples != StopSettings{}.samples; // by the scene
+    if (!options.picture.stops && !stated) settings.stop.samples = kDefaultSamples;
     if (options.picture.stops && !given("samples")) settings.stop.samples = 1 << 20;
     return job;
 }

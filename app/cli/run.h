@@ -15,6 +15,7 @@ int run(const BenchOptions&);
 int run(const StabilityOptions&);
 int run(const CompareOptions&);
 int run(const ChartOptions&);
+int run(const NeedsOptions&);
 int run(const NameBugOptions&);
 int run(const ScenesOptions&);
 

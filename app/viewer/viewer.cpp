@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "app/document/document_commands.h"
+#include "app/document/saved_scene.h"
 #include "app/viewer/switched_kind.h"
 #include "app/viewer/viewer_commands.h"
 #include "core/base/errors.h"
@@ -321,24 +322,7 @@ PictureState Viewer::pictureState() const {
     return state;
 }
 
-Scene Viewer::sceneToSave() const {
-    const Document& now = document();
-    Scene scene = *now.scene;
-    const auto original = std::find_if(scene.cameras.begin(), scene.cameras.end(),
-                                       [&](const Camera& camera) { return camera.name == now.camera.name; });
-    if (original != scene.cameras.end()) scene.cameras.erase(original);
-    scene.cameras.insert(scene.cameras.begin(), now.camera);
-    Document bare;
-    bare.scene = now.scene;
-    bare.camera = now.camera;
-    bare.aspect = now.camera.aspect;
-    bare.render.stop = now.render.stop;
-    bare.threads = now.threads;
-    scene.settings.clear();
-    for (const Command& command : commandsBetween(bare, now)) scene.settings.push_back(command.text());
-    scene.statesExposure = true;
-    return scene;
-}
+Scene Viewer::sceneToSave() const { return savedScene(document()); }
 
 Document Viewer::fileDocument() const { return originalOf(opened_.document); }
 

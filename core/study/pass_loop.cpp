@@ -1,14 +1,57 @@
 #include "core/study/pass_loop.h"
 
+#include <time.h>
+
+#include <algorithm>
 #include <chrono>
-#include <vector>
+#include <cmath>
+#include <numeric>
 
 namespace eyeray {
+namespace {
+
+/// Of the calling thread.
+double workedSeconds() {
+    timespec time{};
+    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
+    return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
+}
+
+}
+
+Mosaic mosaicOf(int width, int height, int across) {
+    const auto tilesIn = [](int side) { return (side + kTileSize - 1) / kTileSize; };
+    const int columns = tilesIn(width), rows = tilesIn(height);
+    Mosaic mosaic{width, height, {}};
+    int wide = columns, high = rows;
+    if (columns > across) {
+        wide = across;
+        // whole tiles alone, which fill the mosaic without gaps
+        high = std::clamp(static_cast<int>(std::lround(static_cast<double>(across) * rows / columns)), 1,
+                          std::max(1, height / kTileSize));
+        mosaic.width = wide * kTileSize;
+        mosaic.height = high * std::min(kTileSize, height);
+    }
+    const auto place = [](int i, int count, int of) { return (2 * i + 1) * of / (2 * count) * kTileSize; };
+    for (int y = 0; y < high; ++y)
+        for (int x = 0; x < wide; ++x) {
+            const int x0 = place(x, wide, wide < columns ? width / kTileSize : columns);
+            const int y0 = place(y, high, wide < columns ? std::max(1, height / kTileSize) : rows);
+            mosaic.tiles.push_back(
+                {x0, y0, std::min(x0 + kTileSize, width), std::min(y0 + kTileSize, height)});
+        }
+    return mosaic;
+}
 
 PassLoop::PassLoop(std::shared_ptr<const Integrator> integrator, const TraceContext& context,
                    ThreadPool& pool)
-    : integrator_(std::move(integrator)), context_(context), pool_(pool),
-      film_(context.width, context.height) {}
+    : PassLoop(std::move(integrator), context, pool, mosaicOf(context.width, context.height, context.width)) {
+}
+
+PassLoop::PassLoop(std::shared_ptr<const Integrator> integrator, const TraceContext& context,
+                   ThreadPool& pool, Mosaic mosaic)
+    : integrator_(std::move(integrator)), context_(context), pool_(pool), tiles_(std::move(mosaic.tiles)),
+      film_(mosaic.width, mosaic.height) {}
 
 bool PassLoop::pass(double limitSeconds, const std::stop_token& stop) {
     using Clock = std::chrono::steady_clock;
@@ -20,10 +63,16 @@ bool PassLoop::pass(double limitSeconds, const std::stop_token& stop) {
     const std::stop_callback forward(stop, [&] { broken.request_stop(); });
     context_.stop = broken.get_token();
     std::vector<TileResult> results(static_cast<std::size_t>(film_.tiles()));
+    std::vector<double> worked(results.size());
     const bool started = pool_.forEach(film_.tiles(), context_.stop, [&](int i) {
         if (elapsed() > limitSeconds) broken.request_stop();
-        results[static_cast<std::size_t>(i)] = integrator_->renderTile(context_, film_.tile(i), passes_);
+        const auto tile = static_cast<std::size_t>(i);
+        const double before = workedSeconds();
+        results[tile] = integrator_->renderTile(context_, tiles_[tile], passes_);
+        results[tile].tile = film_.tile(i);
+        worked[tile] = workedSeconds() - before;
     });
+    threadSeconds_ += std::accumulate(worked.begin(), worked.end(), 0.0);
     seconds_ = elapsed();
     if (!started || broken.stop_requested()) return false;
     for (int i = 0; i < film_.tiles(); ++i) {

@@ -10,10 +10,22 @@
 
 namespace eyeray {
 
+/// Tiles of a picture side by side in a smaller one: its tile i shows what tiles[i] of the picture does.
+struct Mosaic {
+    int width = 0, height = 0; // pixels
+    std::vector<Tile> tiles;
+};
+
+/// Spread evenly over a picture, no more than `across` in a row and as many rows as have its shape; the whole
+/// picture if it has no more tiles.
+Mosaic mosaicOf(int width, int height, int across);
+
 class PassLoop {
 public:
     /// The context's own stop is not heeded.
     PassLoop(std::shared_ptr<const Integrator>, const TraceContext&, ThreadPool&);
+    /// Of a mosaic of the context's picture.
+    PassLoop(std::shared_ptr<const Integrator>, const TraceContext&, ThreadPool&, Mosaic);
 
     /// Traces one sample more of every pixel. False, and nothing is added, if it is broken off: because
     /// tracing has taken `limitSeconds` in all, or by `stop`.
@@ -22,17 +34,24 @@ public:
     int passes() const { return passes_; }
     /// Spent tracing.
     double seconds() const { return seconds_; }
+    /// What the threads have worked on it: whatever else the machine has to do, this stays the same.
+    double threadSeconds() const { return threadSeconds_; }
     const RayCounts& counts() const { return counts_; }
     /// Mean over the passes; there is at least one.
     ColorImage picture() const { return film_.mean(passes_); }
+    /// As Film::estimatedError; there are at least two passes.
+    double estimatedError(const DisplaySettings& display) const {
+        return film_.estimatedError(passes_, display);
+    }
 
 private:
     std::shared_ptr<const Integrator> integrator_;
     TraceContext context_;
     ThreadPool& pool_;
+    std::vector<Tile> tiles_; // of the picture, by tile of the film
     Film film_;
     int passes_ = 0;
-    double seconds_ = 0;
+    double seconds_ = 0, threadSeconds_ = 0;
     RayCounts counts_;
 };
 

@@ -1,0 +1,142 @@
+#include "core/study/model_studio.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/image/flip.h"
+#include "core/image/metrics.h"
+
+namespace eyeray {
+namespace {
+
+constexpr double kNoLimit = 1e12;      // seconds
+constexpr int kErrorPilot = 16;        // samples after which a picture first looks whether it may stop
+constexpr std::size_t kKeptWorlds = 3; // as set, as found so far, as tried
+
+/// Means over squares of so many pixels; those at the border may be smaller.
+ColorImage blockMeans(const ColorImage& picture, int side) {
+    ColorImage means((picture.width() + side - 1) / side, (picture.height() + side - 1) / side);
+    for (int by = 0; by < means.height(); ++by)
+        for (int bx = 0; bx < means.width(); ++bx) {
+            Color sum(0);
+            int pixels = 0;
+            for (int y = by * side; y < std::min((by + 1) * side, picture.height()); ++y)
+                for (int x = bx * side; x < std::min((bx + 1) * side, picture.width()); ++x, ++pixels)
+                    sum += picture.at(x, y);
+            means.at(bx, by) = sum / static_cast<float>(pixels);
+        }
+    return means;
+}
+
+/// The mean of the second half of twice as many samples.
+ColorImage secondHalf(const ColorImage& both, const ColorImage& first) {
+    ColorImage second(both.width(), both.height());
+    for (std::size_t i = 0; i < second.values().size(); ++i)
+        second.values()[i] = glm::max(2.0F * both.values()[i] - first.values()[i], Color(0));
+    return second;
+}
+
+}
+
+ModelStudio::ModelStudio(const RenderSettings& settings, bool part, bool blocks, int threads,
+                         std::stop_token stop)
+    : settings_(settings), blocks_(blocks),
+      mosaic_(mosaicOf(settings.width, settings.height, part ? kStudioTiles : settings.width)),
+      share_(static_cast<double>(mosaic_.width) * mosaic_.height /
+             (static_cast<double>(settings.width) * settings.height)),
+      pool_(threads), stop_(std::move(stop)) {}
+
+PassLoop ModelStudio::loop(const PictureModel& model, std::shared_ptr<const World> traced) {
+    const TraceContext context(std::move(traced), model.camera, model.trace, settings_.width,
+                               settings_.height, settings_.seed, {});
+    return {makeIntegrator(model.trace.method), context, pool_, mosaic_};
+}
+
+void ModelStudio::look() const {
+    if (stop_.stop_requested()) throw StudioClosed();
+}
+
+void ModelStudio::meterBy(const ModelShot& shot) {
+    settings_.display.exposure = std::clamp(meteredExposure(shot.picture), -20.0, 20.0);
+}
+
+ByteImage ModelStudio::shown(const ColorImage& picture) const {
+    return eyeray::display(picture, shownDisplay(settings_));
+}
+
+std::shared_ptr<const World> ModelStudio::world(const PictureModel& model) {
+    for (const auto& [accel, world] : worlds_)
+        if (accel == model.accel && world->scene == model.scene) return world;
+    const World* const previous = worlds_.empty() ? nullptr : worlds_.back().second.get();
+    auto built = buildWorld(model.scene, {model.accel}, previous, stop_);
+    look();
+    if (worlds_.size() >= kKeptWorlds) worlds_.erase(worlds_.begin() + 1);
+    worlds_.emplace_back(model.accel, built);
+    return built;
+}
+
+ModelShot ModelStudio::shoot(const PictureModel& model, const std::function<void(SceneNeeds&)>& force) {
+    std::shared_ptr<const World> traced = world(model);
+    if (force) {
+        World forced = *traced;
+        force(forced.needs);
+        traced = std::make_shared<const World>(std::move(forced));
+    }
+    PassLoop passes = loop(model, traced);
+    double least = kNoLimit;
+    for (int i = 0; i < std::min(comparedSamples(), model.samples); ++i) {
+        const double before = passes.threadSeconds();
+        if (!passes.pass(kNoLimit, stop_)) throw StudioClosed();
+        least = std::min(least, passes.threadSeconds() - before);
+    }
+    ModelShot shot{.picture = passes.picture(),
+                   .rays = passes.counts().total(),
+                   .deepest = passes.counts().deepest,
+                   .secondsPerSample = least / (share_ * pool_.threads())};
+    return shot;
+}
+
+ModelError ModelStudio::compare(const ModelShot& reference, const ModelShot& test) const {
+    look();
+    const ByteImage a = shown(reference.picture), b = shown(test.picture);
+    const int steps = blocks_ ? maxByteDifference(shown(blockMeans(reference.picture, kNoiseBlock)),
+                                                  shown(blockMeans(test.picture, kNoiseBlock)))
+                              : maxByteDifference(a, b);
+    return {steps, countDifferingPixels(a, b) > 0 ? meanFlip(flip(a, b)) : 0};
+}
+
+EnoughSamples ModelStudio::enoughSamples(const PictureModel& model, double tolerance, int least) {
+    PassLoop passes = loop(model, world(model));
+    const auto traceTo = [&](int count) {
+        while (passes.passes() < count)
+            if (!passes.pass(kNoLimit, stop_)) throw StudioClosed();
+        return passes.picture();
+    };
+    EnoughSamples result{model.samples, model.samples, 0};
+    ColorImage first = traceTo(least);
+    for (int n = least; 2 * n <= model.samples; n *= 2) {
+        ColorImage both = traceTo(2 * n);
+        const double change = meanFlip(flip(shown(first), shown(secondHalf(both, first))));
+        look();
+        if (change <= tolerance) {
+            result.enough = n;
+            result.flip = change;
+            break;
+        }
+        // ꟻLIP falls no faster than as 1/n: beyond hope, all are needed
+        if (n >= 4 && change * 2 * n > tolerance * model.samples) break;
+        first = std::move(both);
+    }
+    // the standard error falls as 1/√n: when a picture would stop by it
+    const double wanted = settings_.stop.error;
+    if (wanted > 0 && passes.passes() >= 2) {
+        const double ratio = passes.estimatedError(settings_.display) / wanted;
+        const double stopped = std::ceil(passes.passes() * ratio * ratio);
+        const int pilot = std::min(kErrorPilot, model.samples);
+        result.asSet = static_cast<int>(std::clamp<double>(stopped, pilot, model.samples));
+        result.enough = std::min(result.enough, result.asSet);
+    }
+    return result;
+}
+
+}
