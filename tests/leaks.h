@@ -85,18 +85,19 @@ struct Spawned {
     }
 };
 
-/// `size` is that of the object under its placement, up to a factor of a few.
-template <class Geometry>
-Spawned spawnFrom(const Geometry& object, double size, int rays, std::uint32_t seed) {
+/// `placed(map)` is an instance of an object about the origin under a map, which gives it `size` up to a
+/// factor of a few.
+template <class Placed>
+Spawned spawnFrom(const Placed& placed, double size, int rays, std::uint32_t seed) {
     const FloatEnvironment environment;
     cases::Random random(seed);
     Spawned result;
     IndexedGeometry<Bvh8> scene;
-    DMat4 map;
+    DMat4 map(1);
     for (int i = 0; i < rays; ++i) {
         if (i % 500 == 0) {
             map = cases::randomPlacement(random, size, 0.1, 2);
-            scene = indexInstances<Bvh8>({cases::place<Bvh8>(map, object)}, {});
+            scene = indexInstances<Bvh8>({placed(map)}, {});
         }
         const DVec3 target = transformPoint(map, random.inCube(0.4));
         const double distance = size * std::pow(10, random.uniform(0.5, 4));
@@ -118,18 +119,26 @@ Spawned spawnFrom(const Geometry& object, double size, int rays, std::uint32_t s
     return result;
 }
 
-/// Spheres, boxes, cylinders, cones, planes and a mesh in turn, each placed unevenly, at sizes over twelve
-/// decades.
+/// Spheres, boxes, cylinders, cones, planes and a mesh in turn, each placed unevenly, and the mesh by its own
+/// vertices as well, at sizes over twelve decades.
 inline Spawned spawnAtAllScales(int raysEach, std::uint32_t seed) {
     const std::vector<Shape> shapes = {
         Sphere{0.5F},         Box{Vec3(1, 0.7F, 1.3F)}, Cylinder{1, 0.5F, 0.5F},
         Cylinder{1, 0, 0.7F}, Cylinder{1, 0.3F, 0.7F},  Plane{2, 2, true}};
-    const auto mesh = indexMesh<Bvh8>(cases::shared(cases::closedMesh(24, 32, 0.5)), {});
+    const TriangleMesh ball = cases::closedMesh(24, 32, 0.5);
+    const auto mesh = indexMesh<Bvh8>(cases::shared(ball), {});
+    const auto byNode = [](const auto& object) {
+        return [&](const DMat4& map) { return cases::place<Bvh8>(map, object); };
+    };
+    const auto byVertices = [&](const DMat4& map) {
+        return cases::place<Bvh8>(DMat4(1), indexMesh<Bvh8>(cases::shared(mapped(ball, map)), {}));
+    };
     Spawned result;
     for (int decade = -6; decade <= 6; ++decade) {
         const double size = std::pow(10, decade);
-        for (const Shape& shape : shapes) result += spawnFrom(shape, size, raysEach, seed++);
-        result += spawnFrom(mesh, size, raysEach, seed++);
+        for (const Shape& shape : shapes) result += spawnFrom(byNode(shape), size, raysEach, seed++);
+        result += spawnFrom(byNode(mesh), size, raysEach, seed++);
+        result += spawnFrom(byVertices, size, raysEach, seed++);
     }
     return result;
 }

@@ -33,7 +33,7 @@ std::int64_t leaksOf(const leaks::ClosedMesh& closed, int parts, ThreadPool& poo
 }
 
 std::int64_t selfHits(double millions, ThreadPool& pool) {
-    constexpr int kRaysEach = 2000, kRaysOfPart = kRaysEach * 13 * 7; // decades and objects
+    constexpr int kRaysEach = 2000, kRaysOfPart = kRaysEach * 13 * 8; // decades and objects
     const int parts = std::max(1, static_cast<int>(millions * 1e6 / kRaysOfPart));
     const auto start = std::chrono::steady_clock::now();
     std::atomic<std::int64_t> rays = 0, back = 0;
