@@ -87,7 +87,7 @@ TEST(StabilityCases, AreInOrderAndSayWhatTheyShow) {
         EXPECT_TRUE(std::ranges::is_sorted(subject.sweep)) << subject.id;
         EXPECT_GE(subject.sweep.size(), 5U) << subject.id;
     }
-    EXPECT_GE(stabilityCases().size(), 40U);
+    EXPECT_GE(stabilityCases().size(), 60U);
 }
 
 TEST(StabilityCases, EndWhenAskedTo) {
@@ -166,6 +166,16 @@ TEST(NaiveForm, LosesEveryRayAtAFlatBox) {
 
 TEST(NaiveForm, OfSlabsRejectsRaysAtEdges) { EXPECT_NEAR(failures("F14", 10), 0.035, 0.015); }
 
+TEST(NaiveForm, OfCoplanarTrianglesLeavesTheChoiceToRounding) {
+    for (const Form form : {Form::NaiveFloat, Form::NaiveDouble})
+        for (const double tilt : {20.0, 40.0}) EXPECT_NEAR(failures("F17", tilt, form), 0.35, 0.1) << tilt;
+}
+
+TEST(NaiveForm, OfTreesIsDeeperThanItsStack) {
+    EXPECT_EQ(failures("F26", 32), 0);
+    EXPECT_GT(error("F26", 240), 120);
+}
+
 TEST(NaiveForm, JumpsFarFromTheOrigin) {
     EXPECT_NEAR(error("F20", 1e4), 9.8e-4 / 2, 3e-4) << "a float at 10 km";
     EXPECT_GT(error("F20", 1e7), 0.25);
@@ -183,6 +193,67 @@ TEST(NaiveForm, OfRefractionIsNoNumberBeyondTheCriticalAngle) {
 }
 
 TEST(NaiveForm, OfReflectanceIsFarOffInsideGlass) { EXPECT_NEAR(error("F28", 60), 0.93, 0.03); }
+
+TEST(NaiveForm, OfHighlightsGivesTwiceTheLight) {
+    for (const double n : {1.0, 2.0, 4.0}) EXPECT_NEAR(error("F32", n), 2 * kPiD / (n + 2) - 1, 0.02) << n;
+    EXPECT_EQ(error("F32", 100), 0);
+}
+
+TEST(NaiveForm, OfHighlightsShinesOnTheUnlitSide) {
+    EXPECT_EQ(failures("F33", 0), 0);
+    EXPECT_GT(failures("F33", 120), 0.3);
+}
+
+TEST(NaiveForm, OfMirrorsGoesUnderTheSurface) {
+    EXPECT_EQ(failures("F35", 0), 0);
+    EXPECT_GT(failures("F35", 15), 0.05);
+    EXPECT_GT(failures("F35", 30), 2 * failures("F35", 15));
+}
+
+TEST(NaiveForm, OfWaterInGlassBendsAsInAir) {
+    const double wrong = std::asin(0.5 / 1.33), right = std::asin(0.5 * 1.5 / 1.33);
+    EXPECT_NEAR(degrees(wrong), 22.08, 0.01);
+    EXPECT_NEAR(degrees(right), 34.33, 0.01);
+    EXPECT_NEAR(error("F36", 30), 2 * std::sin((right - wrong) / 2), 0.03);
+}
+
+TEST(NaiveForm, CutOffLosesAsMuchAsTheCutoff) {
+    EXPECT_LE(error("F40", 1e-3), 1e-3);
+    EXPECT_NEAR(error("F40", 0.5), std::pow(0.9, 7), 1e-6);
+}
+
+TEST(NaiveForm, CountsEmissionTwice) { EXPECT_NEAR(error("F42", 0.5), 0.5, 1e-6) << "3 for 2"; }
+
+TEST(NaiveForm, OfFirefliesLosesTwoThirdsOfTheLight) {
+    EXPECT_NEAR(error("F48", 1), 0.66, 0.08);
+    EXPECT_EQ(failures("F48", 1e5), 0);
+}
+
+TEST(NaiveForm, OfHaltonPointsIsCorrelatedInHighBases) {
+    EXPECT_LT(error("F52", 3), 0.1);
+    EXPECT_NEAR(error("F52", 67), 0.68, 0.15);
+}
+
+TEST(NaiveForm, SpoilsEachPixelThatHasOneNan) {
+    EXPECT_NEAR(failures("F58", 64), 1 - std::pow(0.999, 64), 0.03);
+}
+
+TEST(NaiveForm, OfHalfFloatsOverflowsAndRounds) {
+    EXPECT_EQ(failures("F59", 1e5), 1);
+    EXPECT_EQ(failures("F59", 1e-9), 1);
+    EXPECT_LT(error("F59", 1), 1e-3);
+}
+
+TEST(NaiveForm, MeetsDenormalNumbersInDenseMedia) {
+    EXPECT_EQ(failures("F60", 70), 0);
+    EXPECT_EQ(failures("F60", 95), 1);
+    EXPECT_EQ(failures("F60", 95, Form::NaiveDouble), 0);
+}
+
+TEST(NaiveForm, OfTheNearestHitEndsAtItsFirstGuess) {
+    EXPECT_EQ(failures("F64", 1e3), 0);
+    EXPECT_EQ(failures("F64", 1e5), 1);
+}
 
 TEST(NaiveForm, CutAtADepthLosesTheRestOfTheSeries) {
     EXPECT_NEAR(error("F39", 0.9), std::pow(0.9, 7), 0.02); // the lamp's last reflection is seen too
