@@ -20,10 +20,13 @@ template <class Offer>
 bool visitTriangles(const IndexedMesh<Bvh8>& mesh, std::uint32_t first, std::uint32_t count,
                     const RayShear& shear, float tMin, const float& limit, const Offer& offer) {
     const TriangleBlock& block = mesh.triangles.block(first);
-    std::uint32_t lanes = mayMeet(block, shear) & ((1U << count) - 1U);
+    const bool doubleSided = mesh.mesh->doubleSided;
+    std::uint32_t lanes = mayMeet(block, doubleSided, shear, limit) & ((1U << count) - 1U);
     for (; lanes != 0; lanes &= lanes - 1) {
         const auto lane = static_cast<std::uint32_t>(std::countr_zero(lanes));
-        auto hit = intersectCorners(block.triangle(lane), mesh.mesh->doubleSided, shear, tMin, limit);
+        const TriangleCorners corners = block.triangle(lane);
+        auto hit = detail::finishTriangle(corners, {shear(corners[0]), shear(corners[1]), shear(corners[2])},
+                                          doubleSided, shear, tMin, limit);
         if (!hit) continue;
         hit->primitive = mesh.index.entries()[first + lane];
         if (offer(*hit)) return true;
@@ -32,7 +35,7 @@ bool visitTriangles(const IndexedMesh<Bvh8>& mesh, std::uint32_t first, std::uin
 }
 
 // Calls offer(hit) for hits at t in (tMin, limit) until it returns true; whether it did.
-template <class Offer, class Log>
+template <Order kOrder, class Offer, class Log>
 bool visitMesh(const IndexedMesh<Bvh8>& mesh, const Ray& local, const float& limit, const Offer& offer,
                Log log) {
     const RayShear shear(local);
@@ -41,10 +44,10 @@ bool visitMesh(const IndexedMesh<Bvh8>& mesh, const Ray& local, const float& lim
             log.triangle(triangle);
         return visitTriangles(mesh, first, count, shear, local.tMin, limit, offer);
     };
-    return traverse(mesh.index, local, limit, leaf, log);
+    return traverse<kOrder>(mesh.index, local, limit, leaf, log);
 }
 
-template <class Offer, class Log>
+template <Order kOrder, class Offer, class Log>
 bool visitHits(const IndexedGeometry<Bvh8>& geometry, const Ray& ray, RayMask mask, const float& limit,
                const Offer& offer, Log log) {
     const auto inInstance = [&, log](std::uint32_t id) {
@@ -62,7 +65,7 @@ bool visitHits(const IndexedGeometry<Bvh8>& geometry, const Ray& ray, RayMask ma
             return hit && offerHere(*hit);
         }
         const auto inMesh = log.into(id);
-        return visitMesh(**std::get_if<1>(&instance.geometry), local, limit, offerHere, inMesh);
+        return visitMesh<kOrder>(**std::get_if<1>(&instance.geometry), local, limit, offerHere, inMesh);
     };
     for (const std::uint32_t id : geometry.always)
         if (inInstance(id)) return true;
@@ -71,7 +74,7 @@ bool visitHits(const IndexedGeometry<Bvh8>& geometry, const Ray& ray, RayMask ma
             if (inInstance(geometry.top.entries()[slot])) return true;
         return false;
     };
-    return traverse(geometry.top, ray, limit, leaf, log);
+    return traverse<kOrder>(geometry.top, ray, limit, leaf, log);
 }
 
 template <class Log>
@@ -81,13 +84,14 @@ std::optional<Hit> closest(const IndexedGeometry<Bvh8>& geometry, const Ray& ray
         nearest.offer(hit);
         return false;
     };
-    visitHits(geometry, ray, mask, nearest.limit(), offer, log);
+    visitHits<Order::Nearest>(geometry, ray, mask, nearest.limit(), offer, log);
     return nearest.get();
 }
 
 template <class Log>
 bool any(const IndexedGeometry<Bvh8>& geometry, const Ray& ray, RayMask mask, Log log) {
-    return visitHits(geometry, ray, mask, ray.tMax, [](const Hit&) { return true; }, log);
+    const auto stop = [](const Hit&) { return true; };
+    return visitHits<Order::Any>(geometry, ray, mask, ray.tMax, stop, log);
 }
 
 }

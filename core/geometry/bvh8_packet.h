@@ -237,7 +237,8 @@ private:
         if (!slab.coherent()) {
             for (std::uint32_t bits = rays; bits != 0; bits &= bits - 1) {
                 const auto lane = static_cast<std::size_t>(std::countr_zero(bits));
-                visitMesh(mesh, single.at(lane), limits_.lane[lane], offerOf(lane), Unwatched{});
+                visitMesh<kAny ? Order::Any : Order::Nearest>(mesh, single.at(lane), limits_.lane[lane],
+                                                              offerOf(lane), Unwatched{});
             }
             return;
         }

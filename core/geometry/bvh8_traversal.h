@@ -23,40 +23,61 @@ namespace eyeray::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 using Floats = hn::CappedTag<float, Bvh8::kWidth>;
 
-/// Which children of a node the ray may meet at t in [tMin, limit], a bit each, and where it enters them.
-inline std::uint32_t enterChildren(const Bvh8::Node& node, const RaySlab& slab, float limit,
-                                   std::array<float, Bvh8::kWidth>& enters) {
-    const Floats d;
-    std::uint32_t met = 0;
-    for (std::size_t lane = 0; lane < Bvh8::kWidth; lane += hn::Lanes(d)) {
-        auto in = hn::Set(d, slab.tMin()), out = hn::Set(d, limit);
+/// A ray's slab test, for the boxes of a node at once.
+class SlabLanes {
+public:
+    explicit SlabLanes(const RaySlab& slab) : tMin_(hn::Set(Floats(), slab.tMin())) {
+        const Floats d;
         for (std::size_t axis = 0; axis < 3; ++axis) {
-            const std::size_t near = slab.near(axis);
-            const auto inverse = hn::Set(d, slab.inverse(axis));
-            const auto t0 = hn::Mul(
-                hn::Sub(hn::Load(d, &node.corners[near][axis][lane]), hn::Set(d, slab.originNear(axis))),
-                inverse);
-            const auto t1 = hn::Mul(hn::Mul(hn::Sub(hn::Load(d, &node.corners[1 - near][axis][lane]),
-                                                    hn::Set(d, slab.originFar(axis))),
-                                            inverse),
-                                    hn::Set(d, RaySlab::kLater));
-            in = hn::Max(in, t0);
-            out = hn::Min(out, t1);
+            near_[axis] = slab.near(axis);
+            originNear_[axis] = hn::Set(d, slab.originNear(axis));
+            originFar_[axis] = hn::Set(d, slab.originFar(axis));
+            inverse_[axis] = hn::Set(d, slab.inverse(axis));
+            inverseFar_[axis] = hn::Set(d, slab.inverseFar(axis));
         }
-        hn::Store(in, d, &enters[lane]);
-        std::uint8_t bits[8] = {};
-        hn::StoreMaskBits(d, hn::Le(in, out), bits);
-        met |= static_cast<std::uint32_t>(bits[0]) << lane;
     }
-    return met;
-}
 
-/// Which triangles of a block the ray may meet, a bit each: those that intersectCorners does not rule out by
-/// the signs of their areas in float, by the same operations, and that are not behind the origin with all
-/// corners.
-inline std::uint32_t mayMeet(const TriangleBlock& block, const RayShear& shear) {
+    /// Which children of a node the ray may meet at t in [tMin, limit], a bit each, and where it enters them.
+    std::uint32_t enterChildren(const Bvh8::Node& node, float limit,
+                                std::array<float, Bvh8::kWidth>& enters) const {
+        const Floats d;
+        std::uint32_t met = 0;
+        for (std::size_t lane = 0; lane < Bvh8::kWidth; lane += hn::Lanes(d)) {
+            auto in = tMin_, out = hn::Set(d, limit);
+            for (std::size_t axis = 0; axis < 3; ++axis) {
+                const auto& near = node.corners[near_[axis]][axis];
+                const auto& far = node.corners[1 - near_[axis]][axis];
+                in = hn::Max(in,
+                             hn::Mul(hn::Sub(hn::Load(d, &near[lane]), originNear_[axis]), inverse_[axis]));
+                out = hn::Min(out,
+                              hn::Mul(hn::Sub(hn::Load(d, &far[lane]), originFar_[axis]), inverseFar_[axis]));
+            }
+            hn::Store(in, d, &enters[lane]);
+            std::uint8_t bits[8] = {};
+            hn::StoreMaskBits(d, hn::Le(in, out), bits);
+            met |= static_cast<std::uint32_t>(bits[0]) << lane;
+        }
+        return met;
+    }
+
+private:
+    using Lanes = hn::VFromD<Floats>;
+    Lanes tMin_, originNear_[3], originFar_[3], inverse_[3], inverseFar_[3];
+    std::size_t near_[3];
+};
+
+/// More than the rounding of a corner's distance and of the limit's.
+inline constexpr float kBeyond = 1 + 0x1p-20F;
+
+/// Which triangles of a block the ray may meet before `limit`, a bit each: those that intersectCorners does
+/// not rule out by the signs of their areas in float, by the same operations, and that are not behind the
+/// origin or beyond the limit with all corners.
+inline std::uint32_t mayMeet(const TriangleBlock& block, bool doubleSided, const RayShear& shear,
+                             float limit) {
     const Floats d;
     std::uint32_t kept = 0;
+    const float along = shear.direction[shear.kz];
+    const float farthest = limit * std::fabs(along) * kBeyond;
     for (std::size_t lane = 0; lane < Bvh8::kWidth; lane += hn::Lanes(d)) {
         const auto relative = [&](std::size_t corner, std::size_t k) {
             return hn::Sub(hn::Load(d, &block.corners[corner][k][lane]), hn::Set(d, shear.origin[k]));
@@ -73,11 +94,13 @@ inline std::uint32_t mayMeet(const TriangleBlock& block, const RayShear& shear) 
         const auto v = hn::Sub(hn::Mul(ax, cy), hn::Mul(ay, cx));
         const auto w = hn::Sub(hn::Mul(bx, ay), hn::Mul(by, ax));
         const auto zero = hn::Zero(d);
-        const auto beside =
-            hn::And(hn::Lt(hn::Min(u, hn::Min(v, w)), zero), hn::Gt(hn::Max(u, hn::Max(v, w)), zero));
-        const auto behind = shear.direction[shear.kz] > 0 ? hn::Lt(hn::Max(az, hn::Max(bz, cz)), zero)
-                                                          : hn::Gt(hn::Min(az, hn::Min(bz, cz)), zero);
-        const auto missed = hn::Or(beside, behind);
+        const auto negative = hn::Lt(hn::Min(u, hn::Min(v, w)), zero);
+        const auto positive = hn::Gt(hn::Max(u, hn::Max(v, w)), zero);
+        const auto beside = doubleSided ? hn::And(negative, positive) : negative;
+        const auto first = hn::Min(az, hn::Min(bz, cz)), last = hn::Max(az, hn::Max(bz, cz));
+        const auto outside = along > 0 ? hn::Or(hn::Lt(last, zero), hn::Gt(first, hn::Set(d, farthest)))
+                                       : hn::Or(hn::Gt(first, zero), hn::Lt(last, hn::Set(d, -farthest)));
+        const auto missed = hn::Or(beside, outside);
         std::uint8_t bits[8] = {};
         hn::StoreMaskBits(d, hn::Not(missed), bits);
         kept |= static_cast<std::uint32_t>(bits[0]) << lane;
@@ -85,44 +108,75 @@ inline std::uint32_t mayMeet(const TriangleBlock& block, const RayShear& shear) 
     return kept;
 }
 
-/// Calls leaf(first slot, slots) for the leaves whose boxes the ray may meet at t in [tMin, limit], roughly
-/// from near to far, until it returns true; whether it did. `limit` may shrink meanwhile.
-template <class Leaf, class Log>
+/// A child that is still to be gone into: where the ray enters it, and which it is, in one integer that
+/// compares like the entry does. An entry is not negative, and such floats are ordered like their bits.
+class PendingChild {
+public:
+    PendingChild() = default;
+    PendingChild(float enters, std::uint32_t child)
+        : bits_((static_cast<std::int64_t>(std::bit_cast<std::int32_t>(enters)) << 32) | child) {}
+
+    float enters() const { return std::bit_cast<float>(static_cast<std::int32_t>(bits_ >> 32)); }
+    std::uint32_t child() const { return static_cast<std::uint32_t>(bits_); }
+    friend bool operator<(PendingChild a, PendingChild b) { return a.bits_ < b.bits_; }
+
+private:
+    std::int64_t bits_;
+};
+
+/// Whether the leaf nearest to the origin matters, or any.
+enum class Order : std::uint8_t { Nearest, Any };
+
+/// Calls leaf(first slot, slots) for the leaves whose boxes the ray may meet at t in [tMin, limit], until it
+/// returns true; whether it did. Roughly from near to far, if the order is Nearest. `limit` may shrink
+/// meanwhile.
+template <Order kOrder, class Leaf, class Log>
 bool traverse(const Bvh8& tree, const Ray& ray, const float& limit, const Leaf& leaf, Log log) {
     if (tree.nodes().empty()) return false;
-    struct Pending {
-        float enters;
-        std::uint32_t child;
-    };
     constexpr std::size_t kMostPending = Bvh2::kMaxDepth * (Bvh8::kWidth - 1) + 1;
-    std::array<Pending, kMostPending> stack; // the nearest on top
+    std::array<PendingChild, kMostPending> stack; // the nearest on top
     std::size_t pending = 0;
     alignas(32) std::array<float, Bvh8::kWidth> enters;
-    const RaySlab slab(ray, tree.bounds());
+    const SlabLanes slab(RaySlab(ray, tree.bounds()));
+    const Bvh8::Node* const nodes = tree.nodes().data();
     std::uint32_t child = 0;
     while (true) {
         if (Bvh8::isLeaf(child)) {
             const auto [first, count] = Bvh8::leafOf(child);
             if (leaf(first, count)) return true;
         } else {
-            const Bvh8::Node& node = tree.nodes()[child];
-            const std::size_t bottom = pending;
-            std::uint32_t met = enterChildren(node, slab, limit, enters);
+            const Bvh8::Node& node = nodes[child];
+            std::uint32_t met = slab.enterChildren(node, limit, enters);
             log.node();
             log.boxes(child, Bvh8::childrenOf(node), met);
-            for (; met != 0; met &= met - 1) {
+            const auto take = [&] {
                 const auto lane = static_cast<std::size_t>(std::countr_zero(met));
-                std::size_t place = pending++;
-                for (; place > bottom && stack[place - 1].enters < enters[lane]; --place)
-                    stack[place] = stack[place - 1];
-                stack[place] = {enters[lane], node.child[lane]};
+                met &= met - 1;
+                return PendingChild(enters[lane], node.child[lane]);
+            };
+            if (met != 0) {
+                PendingChild next = take();
+                for (const std::size_t bottom = pending; met != 0; ++pending) {
+                    PendingChild other = take();
+                    std::size_t place = pending;
+                    if constexpr (kOrder == Order::Nearest) {
+                        const PendingChild nearer = std::min(next, other);
+                        other = std::max(next, other);
+                        next = nearer;
+                        for (; place > bottom && stack[place - 1] < other; --place)
+                            stack[place] = stack[place - 1];
+                    }
+                    stack[place] = other;
+                }
+                child = next.child();
+                continue;
             }
         }
         do {
             if (pending == 0) return false;
             --pending;
-        } while (stack[pending].enters > limit);
-        child = stack[pending].child;
+        } while (stack[pending].enters() > limit);
+        child = stack[pending].child();
     }
 }
 

@@ -22,6 +22,7 @@ public:
         for (int axis = 0; axis < 3; ++axis) {
             const auto i = static_cast<std::size_t>(axis);
             inverse_[i] = std::clamp(1.0F / ray.direction[axis], -kLargest, kLargest);
+            inverseFar_[i] = std::clamp(inverse_[i] * kLater, -kLargest, kLargest);
             near_[i] = std::signbit(ray.direction[axis]) ? 1U : 0U;
             const float outward = near_[i] == 1U ? -growth : growth;
             originNear_[i] = ray.origin[axis] + outward;
@@ -35,7 +36,7 @@ public:
         float enters = tMin_, leaves = limit;
         for (std::size_t i = 0; i < 3; ++i) {
             const float t0 = (corners[near_[i]][i] - originNear_[i]) * inverse_[i];
-            const float t1 = (corners[1U - near_[i]][i] - originFar_[i]) * inverse_[i] * kLater;
+            const float t1 = (corners[1U - near_[i]][i] - originFar_[i]) * inverseFar_[i];
             enters = t0 > enters ? t0 : enters;
             leaves = t1 < leaves ? t1 : leaves;
         }
@@ -48,6 +49,8 @@ public:
     float originNear(std::size_t axis) const { return originNear_[axis]; }
     float originFar(std::size_t axis) const { return originFar_[axis]; }
     float inverse(std::size_t axis) const { return inverse_[axis]; }
+    /// A little more, for the sides where the ray leaves: so that rounding makes no box smaller.
+    float inverseFar(std::size_t axis) const { return inverseFar_[axis]; }
     // Rounding of three operations on either side.
     static constexpr float kLater = 1.0F + 2.0F * gammaBound(3);
 
@@ -64,7 +67,7 @@ private:
     }
 
     float tMin_;
-    std::array<float, 3> originNear_, originFar_, inverse_;
+    std::array<float, 3> originNear_, originFar_, inverse_, inverseFar_;
     std::array<std::size_t, 3> near_; // which corner the ray meets first on each axis
 };
 

@@ -11,30 +11,23 @@ double edge(const Vec2& p, const Vec2& q) {
     return static_cast<double>(p.x) * q.y - static_cast<double>(p.y) * q.x;
 }
 
-// t where the ray meets the plane of the triangle, kept within the t of its corners: so it is bounded also
-// for a triangle seen edge-on. From the unsheared corners: a ray that starts beside the plane by one unit in
-// the last place knows on which side.
-double meetsPlane(const TriangleCorners& corners, const DVec3& normal, const RayShear& shear) {
-    const DVec3 toCorner = toDouble(corners[0]) - toDouble(shear.origin);
-    const double t = glm::dot(normal, toCorner) / glm::dot(normal, toDouble(shear.direction));
-    const auto ahead = [&](std::size_t corner) {
-        return static_cast<double>(corners[corner][shear.kz]) - shear.origin[shear.kz];
-    };
-    const double a = ahead(0), b = ahead(1), c = ahead(2), along = shear.direction[shear.kz];
-    const double first = std::min(a, std::min(b, c)) / along, last = std::max(a, std::max(b, c)) / along;
-    return along > 0 ? std::min(std::max(first, t), last) : std::min(std::max(last, t), first);
-}
+/// Where the corners of a triangle lie along the longest axis of the ray, from its origin on and ahead.
+struct Ahead {
+    Ahead(const TriangleCorners& corners, const RayShear& shear)
+        : along(std::fabs(shear.direction[shear.kz])) {
+        const double sign = shear.direction[shear.kz] < 0 ? -1 : 1;
+        const auto ahead = [&](std::size_t corner) {
+            return sign * (static_cast<double>(corners[corner][shear.kz]) - shear.origin[shear.kz]);
+        };
+        const double a = ahead(0), b = ahead(1), c = ahead(2);
+        nearest = std::min(a, std::min(b, c));
+        farthest = std::max(a, std::max(b, c));
+    }
 
-}
+    double along; // for one unit of t
+    double nearest, farthest;
+};
 
-RayShear::RayShear(const Ray& ray) : origin(toArray(ray.origin)), direction(toArray(ray.direction)) {
-    const Vec3 size = glm::abs(ray.direction);
-    kz = size.x > size.y ? (size.x > size.z ? 0U : 2U) : (size.y > size.z ? 1U : 2U);
-    kx = (kz + 1) % 3;
-    ky = (kx + 1) % 3;
-    if (direction[kz] < 0) std::swap(kx, ky); // keeps the winding
-    sx = direction[kx] / direction[kz];
-    sy = direction[ky] / direction[kz];
 }
 
 std::optional<Hit> detail::finishTriangle(const TriangleCorners& corners, const std::array<Vec2, 3>& sheared,
@@ -49,7 +42,16 @@ std::optional<Hit> detail::finishTriangle(const TriangleCorners& corners, const 
     const DVec3 normal =
         glm::cross(toDouble(corners[1]) - toDouble(corners[0]), toDouble(corners[2]) - toDouble(corners[0]));
     if (normal == DVec3(0)) return {};
-    const float t = static_cast<float>(meetsPlane(corners, normal, shear));
+    // Where the ray meets the plane of the triangle. From the unsheared corners: a ray that starts beside the
+    // plane by one unit in the last place knows on which side.
+    const double distance = glm::dot(normal, toDouble(corners[0]) - toDouble(shear.origin));
+    const double approach = glm::dot(normal, toDouble(shear.direction));
+    const Ahead ahead(corners, shear);
+    const bool planeBehind = std::signbit(approach) != (distance < 0);
+    if (planeBehind && ahead.nearest <= 0) return {};
+    // Kept within the t of its corners: so it is bounded also for a triangle seen edge-on.
+    const double atNearest = ahead.nearest / ahead.along, atFarthest = ahead.farthest / ahead.along;
+    const auto t = static_cast<float>(std::min(std::max(atNearest, distance / approach), atFarthest));
     if (!(t > tMin && t < tMax)) return {};
     const double share = 1 / sum;
     return Hit{.t = t, .u = static_cast<float>(v * share), .v = static_cast<float>(w * share)};

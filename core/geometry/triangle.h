@@ -19,7 +19,17 @@ inline std::array<float, 3> toArray(const Vec3& v) { return {v.x, v.y, v.z}; }
 /// What the test needs of a ray, computed once per ray: the shear to a space where the ray runs along +z
 /// through the origin. It maps a vertex to the same place for all triangles around it: hence no gaps.
 struct RayShear {
-    explicit RayShear(const Ray& ray);
+    explicit RayShear(const Ray& ray) : origin(toArray(ray.origin)), direction(toArray(ray.direction)) {
+        const Vec3 size = glm::abs(ray.direction);
+        const bool x = size.x > size.y, ofXY = (x ? size.x : size.y) > size.z;
+        // Without branches, for they would be taken at random.
+        kz = ofXY ? (x ? 0U : 1U) : 2U;
+        const std::size_t turned = std::signbit(direction[kz]) ? 1 : 0; // keeps the winding
+        kx = kAxes[kz + 1 + turned];
+        ky = kAxes[kz + 2 - turned];
+        sx = direction[kx] / direction[kz];
+        sy = direction[ky] / direction[kz];
+    }
 
     Vec2 operator()(const std::array<float, 3>& vertex) const {
         const float z = vertex[kz] - origin[kz];
@@ -29,6 +39,9 @@ struct RayShear {
     std::array<float, 3> origin, direction;
     std::size_t kx, ky, kz; // kz is the axis along which the direction is longest
     float sx, sy;
+
+private:
+    static constexpr std::array<std::size_t, 5> kAxes{0, 1, 2, 0, 1};
 };
 
 namespace detail {
