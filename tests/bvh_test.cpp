@@ -1,7 +1,10 @@
-// labels: unit
+// labels: unit threads
 // The binary tree: what it must hold together by, also for boxes made to break builders (stability F26).
 
 #include <gtest/gtest.h>
+#include <sched.h>
+
+#include <thread>
 
 #include "core/geometry/bvh2.h"
 #include "tests/geometry_cases.h"
@@ -89,9 +92,33 @@ TEST(Bvh2, HoldsEveryBoxOnceInBalancedDepth) {
     }
 }
 
-TEST(Bvh2, IsTheSameTreeForTheSameBoxes) {
-    const auto boxes = randomBoxes(2, 5000);
-    const Bvh2 a(boxes, kLeaf, {}), b(boxes, kLeaf, {});
+/// Lets this process have but one core while it lives.
+class OneCore {
+public:
+    OneCore() {
+        sched_getaffinity(0, sizeof all_, &all_);
+        cpu_set_t one;
+        CPU_ZERO(&one);
+        CPU_SET(sched_getcpu(), &one);
+        sched_setaffinity(0, sizeof one, &one);
+    }
+    ~OneCore() { sched_setaffinity(0, sizeof all_, &all_); }
+    OneCore(const OneCore&) = delete;
+    OneCore& operator=(const OneCore&) = delete;
+
+private:
+    cpu_set_t all_;
+};
+
+Bvh2 onOneCore(std::span<const Bounds> boxes) {
+    const OneCore core;
+    EXPECT_EQ(std::thread::hardware_concurrency(), 1U);
+    return {boxes, kLeaf, {}};
+}
+
+TEST(Bvh2, IsTheSameTreeForTheSameBoxesOnOneCoreAndOnAll) {
+    const auto boxes = randomBoxes(2, 50'000);
+    const Bvh2 a(boxes, kLeaf, {}), b = onOneCore(boxes);
     ASSERT_EQ(a.nodeCount(), b.nodeCount());
     EXPECT_TRUE(std::ranges::equal(a.entries(), b.entries()));
     for (std::size_t i = 0; i < a.nodeCount(); ++i) {
@@ -149,9 +176,11 @@ TEST(Bvh2, LeavesOutBoxesThatAreEmptyOrNotFinite) {
 TEST(Bvh2, IsEmptyIfStopped) {
     const std::stop_source stop;
     stop.request_stop();
-    const Bvh2 tree(randomBoxes(4, 1000), kLeaf, stop.get_token());
-    EXPECT_EQ(tree.nodeCount(), 0U);
-    EXPECT_TRUE(tree.entries().empty());
+    for (const int count : {1000, 20'000}) {
+        const Bvh2 tree(randomBoxes(4, count), kLeaf, stop.get_token());
+        EXPECT_EQ(tree.nodeCount(), 0U);
+        EXPECT_TRUE(tree.entries().empty());
+    }
 }
 
 TEST(Bvh2, VisitsEveryBoxThatARayCrosses) {

@@ -39,19 +39,29 @@ private:
 
     const Bvh2::Node& node(std::uint32_t index) const { return binary_.nodes()[index]; }
 
-    // Up to kWidth parts of the tree under `root`.
-    std::vector<std::uint32_t> opened(std::uint32_t root) const {
-        std::vector<std::uint32_t> parts{root};
-        while (parts.size() < kWidth) {
-            const auto area = [&](std::uint32_t part) {
-                return node(part).count > 0 ? -1.0F : boundsOf(node(part)).halfArea();
-            };
-            const auto largest =
-                std::ranges::max_element(parts, [&](auto a, auto b) { return area(a) < area(b); });
-            if (area(*largest) < 0) break;
-            const std::uint32_t left = node(*largest).first;
-            *largest = left;
-            parts.push_back(left + 1);
+    /// Parts of the tree that become the children of a node.
+    struct Parts {
+        std::array<std::uint32_t, kWidth> root;
+        std::array<float, kWidth> area; // −1 of a leaf, which cannot be opened
+        std::size_t count = 0;
+    };
+
+    void put(Parts& parts, std::size_t lane, std::uint32_t root) const {
+        parts.root[lane] = root;
+        parts.area[lane] = node(root).count > 0 ? -1.0F : boundsOf(node(root)).halfArea();
+        parts.count = std::max(parts.count, lane + 1);
+    }
+
+    Parts opened(std::uint32_t root) const {
+        Parts parts;
+        put(parts, 0, root);
+        while (parts.count < kWidth) {
+            const auto areas = std::span(parts.area).first(parts.count);
+            const auto largest = static_cast<std::size_t>(std::ranges::max_element(areas) - areas.begin());
+            if (areas[largest] < 0) break;
+            const std::uint32_t left = node(parts.root[largest]).first;
+            put(parts, largest, left);
+            put(parts, parts.count, left + 1);
         }
         return parts;
     }
@@ -64,16 +74,16 @@ private:
             result.corners[kLower][axis].fill(kInfinity);
             result.corners[kUpper][axis].fill(-kInfinity);
         }
-        const std::vector<std::uint32_t> parts = opened(root);
-        for (std::size_t lane = 0; lane < parts.size(); ++lane) {
-            const Bvh2::Node& part = node(parts[lane]);
+        const Parts parts = opened(root);
+        for (std::size_t lane = 0; lane < parts.count; ++lane) {
+            const Bvh2::Node& part = node(parts.root[lane]);
             for (const std::size_t side : {kLower, kUpper})
                 for (std::size_t axis = 0; axis < 3; ++axis)
                     result.corners[side][axis][lane] = part.corners[side][axis];
             if (part.count > 0)
                 result.child[lane] = addLeaf(part);
             else
-                pending_.push_back({parts[lane], index, lane});
+                pending_.push_back({parts.root[lane], index, lane});
         }
     }
 
