@@ -2,9 +2,6 @@
 // The binary tree: what it must hold together by, also for boxes made to break builders (stability F26).
 
 #include <gtest/gtest.h>
-#include <sched.h>
-
-#include <thread>
 
 #include "core/geometry/bvh2.h"
 #include "tests/geometry_cases.h"
@@ -92,38 +89,16 @@ TEST(Bvh2, HoldsEveryBoxOnceInBalancedDepth) {
     }
 }
 
-/// Lets this process have but one core while it lives.
-class OneCore {
-public:
-    OneCore() {
-        sched_getaffinity(0, sizeof all_, &all_);
-        cpu_set_t one;
-        CPU_ZERO(&one);
-        CPU_SET(sched_getcpu(), &one);
-        sched_setaffinity(0, sizeof one, &one);
-    }
-    ~OneCore() { sched_setaffinity(0, sizeof all_, &all_); }
-    OneCore(const OneCore&) = delete;
-    OneCore& operator=(const OneCore&) = delete;
-
-private:
-    cpu_set_t all_;
-};
-
-Bvh2 onOneCore(std::span<const Bounds> boxes) {
-    const OneCore core;
-    EXPECT_EQ(std::thread::hardware_concurrency(), 1U);
-    return {boxes, kLeaf, {}};
-}
-
-TEST(Bvh2, IsTheSameTreeForTheSameBoxesOnOneCoreAndOnAll) {
+TEST(Bvh2, IsTheSameTreeForTheSameBoxesWhicheverThreadIsFirst) {
     const auto boxes = randomBoxes(2, 50'000);
-    const Bvh2 a(boxes, kLeaf, {}), b = onOneCore(boxes);
-    ASSERT_EQ(a.nodeCount(), b.nodeCount());
-    EXPECT_TRUE(std::ranges::equal(a.entries(), b.entries()));
-    for (std::size_t i = 0; i < a.nodeCount(); ++i) {
-        EXPECT_EQ(a.nodes()[i].corners, b.nodes()[i].corners);
-        EXPECT_EQ(a.nodes()[i].first, b.nodes()[i].first);
+    const Bvh2 a(boxes, kLeaf, {});
+    for (int again = 0; again < 5; ++again) {
+        const Bvh2 b(boxes, kLeaf, {});
+        ASSERT_EQ(a.nodeCount(), b.nodeCount());
+        EXPECT_TRUE(std::ranges::equal(a.entries(), b.entries()));
+        EXPECT_TRUE(std::ranges::equal(a.nodes(), b.nodes(), [](const auto& p, const auto& q) {
+            return p.corners == q.corners && p.first == q.first && p.count == q.count;
+        }));
     }
 }
 
