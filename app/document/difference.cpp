@@ -130,11 +130,14 @@ Arguments changes(const GltfMaterial& from, const GltfMaterial& to) {
 
 Arguments changes(const Material& from, const Material& to) {
     if (from.model.index() != to.model.index()) return {};
-    return std::visit(
+    Arguments changed = std::visit(
         [&](const auto& model) {
             return changes(std::get<std::decay_t<decltype(model)>>(from.model), model);
         },
         to.model);
+    if (needsOf(from.model).textured && !needsOf(to.model).textured)
+        changed.emplace_back("textures", toText(false));
+    return changed;
 }
 
 /// Which of `from` the first lamps of `to` are: edits keep the order, and new lamps come last.

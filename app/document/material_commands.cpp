@@ -2,6 +2,7 @@
 
 #include "app/document/document_commands.h"
 #include "core/base/errors.h"
+#include "core/study/picture_model.h"
 
 namespace eyeray {
 namespace {
@@ -18,7 +19,7 @@ void assign(T& field, const std::optional<U>& value) {
 
 void change(TaughtMaterial& m, const Command& c) {
     c.allowOnly({"material", "ambient", "diffuse", "specular", "shininess", "model", "reflectivity",
-                 "transmission", "ior", "attenuation", "emission"});
+                 "transmission", "ior", "attenuation", "emission", "textures"});
     assign(m.ambient, c.color("ambient"));
     assign(m.diffuse, c.color("diffuse"));
     assign(m.specular, c.color("specular"));
@@ -34,7 +35,7 @@ void change(TaughtMaterial& m, const Command& c) {
 void change(GltfMaterial& m, const Command& c) {
     c.allowOnly({"material", "base-color", "metallic", "roughness", "emissive", "emissive-strength",
                  "transmission", "ior", "specular", "specular-color", "attenuation-distance",
-                 "attenuation-color"});
+                 "attenuation-color", "textures"});
     assign(m.baseColor, c.color("base-color"));
     assign(m.metallic, c.number("metallic", 0, 1));
     assign(m.roughness, c.number("roughness", 0, 1));
@@ -53,9 +54,9 @@ void change(GltfMaterial& m, const Command& c) {
 
 void material(Document& document, const Command& command) {
     const int index = itemIndex(command, "material", document.scene->materials);
-    Scene& scene = editableScene(document);
-    std::visit([&](auto& model) { change(model, command); },
-               scene.materials[static_cast<std::size_t>(index)].model);
+    MaterialModel& model = editableScene(document).materials[static_cast<std::size_t>(index)].model;
+    std::visit([&](auto& material) { change(material, command); }, model);
+    if (!command.flag("textures").value_or(true)) dropTextures(model);
 }
 
 constexpr std::array kCommands = {
@@ -64,7 +65,7 @@ constexpr std::array kCommands = {
                     "emission=r,g,b "
                     "shininess ior=N model=phong|blinn-phong; glTF: base-color emissive specular-color "
                     "attenuation-color=r,g,b metallic roughness transmission ior specular emissive-strength "
-                    "attenuation-distance=N",
+                    "attenuation-distance=N; textures=off",
                     "Changes a material.", material},
 };
 

@@ -1,5 +1,7 @@
 #include "app/document/saved_scene.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 namespace eyeray {
@@ -18,6 +20,9 @@ Scene savedScene(const Document& now) {
     bare.threads = now.threads;
     scene.settings.clear();
     for (const Command& command : commandsBetween(bare, now)) scene.settings.push_back(command.text());
+    // unless its file states an exposure, a scene is metered anew
+    if (now.render.display.exposure == bare.render.display.exposure)
+        scene.settings.push_back(fmt::format("set exposure={}", toText(now.render.display.exposure)));
     scene.statesExposure = true;
     return scene;
 }

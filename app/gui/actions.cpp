@@ -35,6 +35,8 @@ constexpr std::array kActions = {
     Action{"Rays", "Method: distributed", "F9", "set method=distributed"},
     Action{"Rays", "Method: path", "F10", "set method=path"},
     Action{"Rays", "Rasterised by OpenGL, or traced", "G", "rasterised"},
+    Action{"Rays", "What does the picture need?", "Shift+U", "needs"},
+    Action{"Rays", "No more than the picture needs", "U", "apply-needs"},
     Action{"Rays", "Pause or go on", "Space", "pause"},
 
     Action{"Camera", "Frame the scene", "Home", "frame"},

@@ -153,9 +153,9 @@ void Gui::explainingTabs(const Widgets& ui) {
         std::function<void()> draw;
     };
     const auto view = [&](void (*draw)(const Widgets&)) { return [&ui, draw] { draw(ui); }; };
-    for (const Tab& tab :
-         {Tab{"Tree", view(treeView)}, Tab{"Sum", view(ledgerView)}, Tab{"Play", view(playView)},
-          Tab{"Light", view(photonView)}, Tab{"Chart", [&] { chart_.list(ui); }}}) {
+    for (const Tab& tab : {Tab{"Tree", view(treeView)}, Tab{"Sum", view(ledgerView)},
+                           Tab{"Play", view(playView)}, Tab{"Light", view(photonView)},
+                           Tab{"Needs", view(needsView)}, Tab{"Chart", [&] { chart_.list(ui); }}}) {
         const bool wanted = wantedTab_ == tab.label;
         const bool open = ImGui::BeginTabItem(tab.label, nullptr, wanted ? ImGuiTabItemFlags_SetSelected : 0);
         ui.mark(fmt::format("tab {}", tab.label));

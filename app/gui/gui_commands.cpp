@@ -39,8 +39,8 @@ void presenter(Gui& gui, const Command& command) {
 }
 void panels(Gui& gui, const Command& command) { gui.setPanels(wanted(command, gui.preferences().panels)); }
 void tab(Gui& gui, const Command& command) {
-    constexpr std::array kNames = {"tree"sv, "sum"sv, "play"sv, "light"sv, "chart"sv};
-    constexpr std::array kLabels = {"Tree"sv, "Sum"sv, "Play"sv, "Light"sv, "Chart"sv};
+    constexpr std::array kNames = {"tree"sv, "sum"sv, "play"sv, "light"sv, "needs"sv, "chart"sv};
+    constexpr std::array kLabels = {"Tree"sv, "Sum"sv, "Play"sv, "Light"sv, "Needs"sv, "Chart"sv};
     command.allowOnly({"name"});
     command.required("name");
     gui.showTab(kLabels[static_cast<std::size_t>(*command.choice("name", kNames))]);
@@ -154,6 +154,16 @@ void chart(Gui& gui, const Command& command) {
     gui.setExplain(true);
 }
 
+/// Measures them if they are not known.
+void needs(Gui& gui, const Command& command) {
+    command.allowOnly({});
+    Viewer& viewer = gui.viewer();
+    if (!viewer.hasScene()) throw InputError(command.text(), "no scene is open", "open a scene first");
+    gui.showTab("Needs");
+    gui.setExplain(true);
+    if (!viewer.needs().running() && !viewer.needsHold() && !viewer.needsApplied()) viewer.measureNeeds();
+}
+
 void deselect(Gui& gui, const Command&) {
     if (gui.viewer().hasScene()) {
         gui.viewer().pick(std::nullopt, false);
@@ -212,8 +222,9 @@ constexpr std::array kCommands = {
                rayview},
     GuiCommand{"rasterised", "on=on|off",
                "Shows what OpenGL draws of the scene: no shadows, mirrors or glass.", rasterised},
-    GuiCommand{"tab", "name=tree|sum|play|light|chart",
-               "Shows the picked pixel's tree, its sum or its playing, the photons, or the chart.", tab},
+    GuiCommand{"tab", "name=tree|sum|play|light|needs|chart",
+               "Shows the picked pixel's tree, its sum or its playing, the photons, the needs or the chart.",
+               tab},
     GuiCommand{"play", "to=start|back|next|hit|light|end run=on|off speed=F",
                "Plays how the picked pixel is traced, or the coarse picture: a step, or by itself.", play},
     GuiCommand{"play-grid", "on=on|off",
@@ -222,6 +233,7 @@ constexpr std::array kCommands = {
                "Sends photons from the lamps; how large the lens is, how many a second, how many in all.",
                fromLight},
     GuiCommand{"chart", "on=on|off", "Draws time against error of each picture while it refines.", chart},
+    GuiCommand{"needs", "", "Shows what the picture needs and what it does not.", needs},
     GuiCommand{"other", "on=on|off", "Shows the picture in place of a layer, or the other side alone.",
                other},
     GuiCommand{"fullscreen", "on=on|off", "Fills the screen.", fullscreen},

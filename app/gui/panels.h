@@ -18,6 +18,7 @@ void treeView(const Widgets&);     // its rays, as a diagram or a table
 void ledgerView(const Widgets&);   // its colour as a sum
 void playView(const Widgets&);     // its tracing, ray by ray
 void photonView(const Widgets&);   // photons from the lamps
+void needsView(const Widgets&);    // what the picture needs
 void statusBar(const Widgets&);    // progress and counts, one line
 void noticesOverlay(const Widgets&, float right, float top); // what was done or went wrong
 

@@ -139,7 +139,7 @@ bool Viewer::update() {
     const bool metered = meterExposure();
     const bool compared = updateComparison(), layered = updateLayer(), lit = updatePhotons();
     const bool charted = recording_.update(*session_);
-    const bool named = updateNaming();
+    const bool named = updateNaming(), needed = updateNeeds();
     const RenderStatus now = session_->status();
     const bool finished = lastPhase_ != now.phase || lastSamples_ != now.samples;
     if (now.phase != lastPhase_) retraceGrid();
@@ -149,7 +149,7 @@ bool Viewer::update() {
     lastPhase_ = now.phase;
     lastSamples_ = now.samples;
     return loaded || built || started || metered || compared || layered || finished || averaged || played ||
-           lit || charted || named || now.active() || loading() || building();
+           lit || charted || named || needed || now.active() || loading() || building();
 }
 
 void Viewer::openInBackground(const std::string& nameOrPath, std::vector<Command> commands) {
@@ -199,6 +199,7 @@ void Viewer::show(OpenedScene opened) {
     picked_.reset();
     grid_.end();
     naming_.clear();
+    needs_.clear();
     int changes = 0;
     for (const auto& line : opened_.report.lines) changes += line.kind != ImportReport::Kind::Added ? 1 : 0;
     if (changes > 0)

@@ -19,6 +19,7 @@
 #include "app/viewer/comparison_rendering.h"
 #include "app/viewer/grid_player.h"
 #include "app/viewer/layer_rendering.h"
+#include "app/viewer/needs_measuring.h"
 #include "app/viewer/photon_rendering.h"
 #include "app/viewer/pixel_study.h"
 #include "app/viewer/player.h"
@@ -103,6 +104,10 @@ public:
     const LayerRendering& layers() const { return layers_; }
     const ComparisonRendering& comparison() const { return comparison_; }
     const BugNaming& naming() const { return naming_; }
+    const NeedsMeasuring& needs() const { return needs_; }
+    /// Whether the document is as it was when its needs were measured, or as that has made it.
+    bool needsHold() const;
+    bool needsApplied() const;
     const PhotonRendering& photons() const { return photons_; }
     const PhotonSettings& photonSettings() const { return photonSettings_; }
     ChartRecording& recording() { return recording_; }
@@ -148,6 +153,11 @@ public:
     /// Looks which fault explains a picture of the scene shown; then compares with that fault and picks the
     /// first wrong pixel. Throws InputError if the picture cannot be read.
     void nameBug(const std::filesystem::path& picture);
+    /// Measures what the picture needs, in the background.
+    void measureNeeds();
+    /// Makes the picture with no more than it needs, as one step of undo; once that is measured. Then looks
+    /// at the whole picture, in the background, and takes back what fails.
+    void applyNeeds();
     void report(Notice::Kind, std::string text);
     void dismissNotice(std::size_t index);
     /// Ends a drag: the next change is a step of its own for undo.
@@ -176,6 +186,9 @@ private:
     bool updateLayer();
     bool updatePhotons();
     bool updateNaming();
+    bool updateNeeds();
+    void applyMeasured();
+    void reportChecked(const MeasuredNeeds& before);
     bool tracing(int samples) const;
     bool meterExposure();
     void pickPixel(std::optional<PixelPosition>);
@@ -210,6 +223,8 @@ private:
     ComparisonRendering comparison_;
     PhotonRendering photons_;
     BugNaming naming_;
+    NeedsMeasuring needs_;
+    bool applyNeeds_ = false; // as soon as they are known
     PhotonSettings photonSettings_;
     ChartRecording recording_;
     std::optional<OtherPicture> compared_;         // what the comparison was last started with

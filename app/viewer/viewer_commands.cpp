@@ -128,6 +128,18 @@ void nameBug(Viewer& viewer, const Command& command) {
     viewer.nameBug(command.required("file"));
 }
 
+void measureNeeds(Viewer& viewer, const Command& command) {
+    command.allowOnly({});
+    needScene(viewer, command);
+    viewer.measureNeeds();
+}
+
+void applyNeeds(Viewer& viewer, const Command& command) {
+    command.allowOnly({});
+    needScene(viewer, command);
+    viewer.applyNeeds();
+}
+
 void wait(Viewer& viewer, const Command& command) {
     command.allowOnly({"samples"});
     viewer.finishRendering(command.integer("samples", 1, 1000000).value_or(1000000));
@@ -178,6 +190,9 @@ constexpr std::array kCommands = {
     ViewerCommand{"name-bug", "file=FILE.png",
                   "Ranks the faults that explain a picture of this scene, and picks its first wrong pixel.",
                   nameBug},
+    ViewerCommand{"measure-needs", "", "Measures what the picture needs and what it does not.", measureNeeds},
+    ViewerCommand{"apply-needs", "", "Makes the picture with no more than it needs, and checks that.",
+                  applyNeeds},
     ViewerCommand{"wait", "samples=N", "Waits for so many samples, or until the picture is finished.", wait},
 };
 

@@ -145,7 +145,7 @@ void Viewer::toggleDifference() {
 }
 
 bool Viewer::tracing(int samples) const {
-    if (naming_.running()) return true;
+    if (naming_.running() || needs_.running()) return true;
     if (paused_) return layers_.active();
     const RenderStatus status = session_->status();
     const int compared = comparison_.change() ? comparison_.change()->samples : 0;

@@ -38,7 +38,7 @@ public:
         begin();
         for (const NeedSubject& subject : needSubjects()) {
             step_(subject.name);
-            for (const NeedLadder& ladder : subject.ladders(result_.needed, now_.deepest)) climb(ladder);
+            for (const NeedLadder& ladder : subject.ladders(result_.needed)) climb(ladder);
         }
         return finish();
     }
@@ -90,39 +90,45 @@ private:
         return shot;
     }
 
-    /// Takes the smallest rung that is within the tolerance, by halving: the higher ones are taken to be,
-    /// too.
-    void climb(const NeedLadder& ladder) {
-        std::size_t first = 0, end = ladder.rungs.size();
-        std::optional<ModelShot> best;
+    struct Held {
+        std::size_t rung;
+        ModelShot shot;
+    };
+    /// The smallest rung from `first` on that is within the tolerance, by halving: those after it are taken
+    /// to be, too.
+    std::optional<Held> smallest(const NeedLadder& ladder, std::size_t first) {
+        std::size_t end = ladder.rungs.size();
+        std::optional<Held> held;
         while (first < end) {
             const std::size_t middle = (first + end) / 2;
             if (auto shot = tried(ladder, middle)) {
-                best = std::move(shot);
+                held = {middle, std::move(*shot)};
                 end = middle;
             } else {
                 first = middle + 1;
             }
         }
-        if (!best) return;
-        const bool fewer = static_cast<double>(best->rays) < kFewerRays * static_cast<double>(now_.rays);
-        if (fewer || (ladder.evenIfFree && studio_.compare(now_, *best).steps == 0))
-            take(ladder, end, std::move(*best));
+        return held;
     }
 
-    /// Takes the smallest rung from `rung` on that is within the tolerance.
+    void climb(const NeedLadder& ladder) {
+        auto held = smallest(ladder, 0);
+        if (!held) return;
+        const bool fewer = static_cast<double>(held->shot.rays) < kFewerRays * static_cast<double>(now_.rays);
+        if (fewer || (ladder.evenIfFree && studio_.compare(now_, held->shot).steps == 0))
+            take(ladder, held->rung, std::move(held->shot));
+    }
+
+    /// Takes the rung if it holds here, too; else the smallest after it that does.
     void descend(const NeedLadder& ladder, std::size_t rung, const NeedItem& measured) {
-        for (std::size_t i = rung; i < ladder.rungs.size(); ++i)
-            if (auto shot = tried(ladder, i)) {
-                take(ladder, i, std::move(*shot));
-                if (i > rung) result_.items.back().takenBack = inWhole(measured.to);
-                return;
-            }
-        result_.items.push_back({.what = ladder.what,
-                                 .from = ladder.from,
-                                 .to = ladder.from,
-                                 .reason = "stays as it is",
-                                 .takenBack = inWhole(measured.to)});
+        if (auto shot = tried(ladder, rung)) return take(ladder, rung, std::move(*shot));
+        if (auto held = smallest(ladder, rung + 1)) {
+            take(ladder, held->rung, std::move(held->shot));
+        } else {
+            result_.items.push_back(
+                {.what = ladder.what, .from = ladder.from, .to = ladder.from, .reason = "stays as it is"});
+        }
+        result_.items.back().takenBack = inWhole(measured.to);
     }
 
     static std::string inWhole(const std::string& to) {

@@ -91,7 +91,6 @@ ModelShot ModelStudio::shoot(const PictureModel& model, const std::function<void
     }
     ModelShot shot{.picture = passes.picture(),
                    .rays = passes.counts().total(),
-                   .deepest = passes.counts().deepest,
                    .secondsPerSample = least / (share_ * pool_.threads())};
     return shot;
 }

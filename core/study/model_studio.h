@@ -30,7 +30,6 @@ inline constexpr int kNoisyModelSamples = 16; // of methods that scatter
 struct ModelShot {
     ColorImage picture{};
     std::uint64_t rays = 0;
-    int deepest = 0;
     double secondsPerSample = 0; // of each pixel of the whole picture, on all threads; of the fastest
 };
 

@@ -19,7 +19,7 @@ std::string nameIn(const Names& names, Value value) {
 
 bool recurses(Method method) { return method != Method::Local && method != Method::Cast; }
 
-Ladders ofMethod(const PictureModel& model, int) {
+Ladders ofMethod(const PictureModel& model) {
     NeedLadder ladder{.what = "method",
                       .from = nameIn(kMethodNames, model.trace.method),
                       .rungs = {},
@@ -32,7 +32,7 @@ Ladders ofMethod(const PictureModel& model, int) {
     return {ladder};
 }
 
-Ladders ofRayKinds(const PictureModel& model, int) {
+Ladders ofRayKinds(const PictureModel& model) {
     struct Kind {
         const char* name;
         bool TraceSettings::* on;
@@ -61,7 +61,7 @@ void editScene(PictureModel& model, const Change& change) {
     model.scene = std::move(scene);
 }
 
-Ladders ofLamps(const PictureModel& model, int) {
+Ladders ofLamps(const PictureModel& model) {
     const std::vector<Light>& lights = model.scene->lights;
     Ladders ladders;
     for (std::size_t i = 0; i < lights.size() && lights.size() <= kMostParts; ++i) {
@@ -80,26 +80,24 @@ Ladders ofLamps(const PictureModel& model, int) {
     return ladders;
 }
 
-void dropTextures(TaughtMaterial& m) { m.diffuseTexture = {}; }
-void dropTextures(GltfMaterial& m) {
+void drop(TaughtMaterial& m) { m.diffuseTexture = {}; }
+void drop(GltfMaterial& m) {
     m.baseColorTexture = m.metallicRoughnessTexture = m.emissiveTexture = m.transmissionTexture = {};
 }
 
-Ladders ofTextures(const PictureModel& model, int) {
+Ladders ofTextures(const PictureModel& model) {
     const std::vector<Material>& materials = model.scene->materials;
     Ladders ladders;
     for (std::size_t i = 0; i < materials.size(); ++i) {
         if (!needsOf(materials[i].model).textured) continue;
-        const auto drop = [i](PictureModel& m) {
-            editScene(m, [i](Scene& scene) {
-                std::visit([](auto& material) { dropTextures(material); }, scene.materials[i].model);
-            });
+        const auto without = [i](PictureModel& m) {
+            editScene(m, [i](Scene& scene) { dropTextures(scene.materials[i].model); });
         };
         const std::string name =
             materials[i].name.empty() ? fmt::format("material {}", i) : materials[i].name;
         ladders.push_back({.what = "textures of " + name,
                            .from = "read",
-                           .rungs = {{"off", drop}},
+                           .rungs = {{"off", without}},
                            .leftOut = "its textures",
                            .evenIfFree = true});
     }
@@ -107,7 +105,7 @@ Ladders ofTextures(const PictureModel& model, int) {
     return ladders;
 }
 
-Ladders ofLens(const PictureModel& model, int) {
+Ladders ofLens(const PictureModel& model) {
     if (!isPhysical(model.trace.method) || model.camera.lensRadius == 0) return {};
     return {{.what = "lens",
              .from = fmt::format("{:g} m", model.camera.lensRadius),
@@ -116,20 +114,20 @@ Ladders ofLens(const PictureModel& model, int) {
              .evenIfFree = true}};
 }
 
-Ladders ofDepth(const PictureModel& model, int deepest) {
+Ladders ofDepth(const PictureModel& model) {
     if (!recurses(model.trace.method)) return {};
     NeedLadder ladder{.what = "max depth",
                       .from = fmt::format("{}", model.trace.maxDepth),
                       .rungs = {},
                       .leftOut = "rays deeper than {}",
                       .evenIfFree = true};
-    for (int depth = 0; depth <= std::min(deepest, model.trace.maxDepth - 1); ++depth)
+    for (int depth = 0; depth < model.trace.maxDepth; ++depth)
         ladder.rungs.push_back(
             {fmt::format("{}", depth), [depth](PictureModel& m) { m.trace.maxDepth = depth; }});
     return {ladder};
 }
 
-Ladders ofCutoff(const PictureModel& model, int) {
+Ladders ofCutoff(const PictureModel& model) {
     constexpr std::array kCutoffs = {0.5F, 0.2F, 0.1F, 0.05F, 0.02F, 0.01F, 0.005F};
     const Method method = model.trace.method;
     if (method != Method::Whitted && method != Method::Distributed) return {};
@@ -144,7 +142,7 @@ Ladders ofCutoff(const PictureModel& model, int) {
     return {ladder};
 }
 
-Ladders ofGlassShadows(const PictureModel& model, int) {
+Ladders ofGlassShadows(const PictureModel& model) {
     const Method method = model.trace.method;
     const bool asked = model.trace.shadows &&
                        (method == Method::Whitted || method == Method::Cast || method == Method::Distributed);
@@ -163,7 +161,7 @@ Ladders ofGlassShadows(const PictureModel& model, int) {
 }
 
 /// Only formulas of textbooks have another precision; the renderer's own are in float.
-Ladders ofPrecision(const PictureModel& model, int) {
+Ladders ofPrecision(const PictureModel& model) {
     if (model.trace.faults.empty() || model.trace.precision == Precision::Float) return {};
     return {{.what = "precision",
              .from = "double",
@@ -172,6 +170,10 @@ Ladders ofPrecision(const PictureModel& model, int) {
              .evenIfFree = true}};
 }
 
+}
+
+void dropTextures(MaterialModel& model) {
+    std::visit([](auto& material) { drop(material); }, model);
 }
 
 const std::vector<NeedSubject>& needSubjects() {

@@ -44,11 +44,13 @@ struct ProvedNeed {
 std::vector<ProvedNeed> provedNeeds(const PictureModel&);
 
 /// What could be left out of the model, by subject; each subject sees the model that the one before has left.
-/// `deepest` is the depth of the deepest ray that has been traced.
 struct NeedSubject {
     std::string name;
-    std::vector<NeedLadder> (*ladders)(const PictureModel&, int deepest);
+    std::vector<NeedLadder> (*ladders)(const PictureModel&);
 };
 const std::vector<NeedSubject>& needSubjects();
+
+/// The material with its factors alone.
+void dropTextures(MaterialModel&);
 
 }
