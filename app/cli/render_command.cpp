@@ -152,7 +152,10 @@ RenderJob prepare(const RenderOptions& options) {
     };
     if (!given("error")) settings.stop.error = 0;
     if (!given("seconds")) settings.stop.seconds = 0;
-    const bool stated = settings.stop.samples != StopSettings{}.samples; // by the scene
+    const auto& ofScene = job.document.scene->settings;
+    const bool stated = std::any_of(ofScene.begin(), ofScene.end(), [](const std::string& line) {
+        return Command::parse(line).find("samples").has_value();
+    });
     if (!options.picture.stops && !stated) settings.stop.samples = kDefaultSamples;
     if (options.picture.stops && !given("samples")) settings.stop.samples = 1 << 20;
     return job;

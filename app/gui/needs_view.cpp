@@ -53,17 +53,20 @@ void table(const Widgets& ui, const MeasuredNeeds& needs) {
     ImGui::EndTable();
 }
 
-/// Where a table would be too narrow for its reasons.
+/// Where a table would be too narrow for its reasons: first what has been measured, which saves most.
 void list(const Widgets& ui, const MeasuredNeeds& needs) {
-    for (const NeedItem& item : needs.items) {
-        mark(ui, item);
-        ImGui::SameLine();
-        ImGui::TextWrapped("%s: %s", item.what.c_str(), changeText(item).c_str());
-        ImGui::Indent();
-        dimmedText(fmt::format("saves {}, error {}", savingText(item), errorText(item.error)));
-        reason(ui, item);
-        ImGui::Unindent();
-    }
+    for (const bool proved : {false, true})
+        for (const NeedItem& item : needs.items) {
+            if (item.proved != proved) continue;
+            mark(ui, item);
+            ImGui::SameLine();
+            ImGui::TextWrapped("%s: %s", item.what.c_str(), changeText(item).c_str());
+            ImGui::Indent();
+            if (!proved)
+                dimmedText(fmt::format("saves {}, error {}", savingText(item), errorText(item.error)));
+            reason(ui, item);
+            ImGui::Unindent();
+        }
 }
 
 void buttons(const Widgets& ui, bool hold, bool applied) {
