@@ -1,5 +1,5 @@
 // labels: unit
-// Which solid a ray is in, against a plain list.
+// Which solid a ray is in, against a plain list of them.
 
 #include <gtest/gtest.h>
 
@@ -16,8 +16,10 @@ TEST(MediumStack, IsEmptyAtFirst) {
     EXPECT_EQ(MediumStack().left(3).top(), MediumStack::kVacuum) << "what was never entered may be left";
 }
 
-TEST(MediumStack, BehavesLikeAListOfSixAtMost) {
+TEST(MediumStack, BehavesLikeASetOfSixAtMostWhoseHighestRankRules) {
     cases::Random random(1);
+    const auto rankOf = [](std::uint32_t instance) { return instance * 7 % 9; };
+    const auto lower = [&](std::uint32_t a, std::uint32_t b) { return rankOf(a) < rankOf(b); };
     for (int round = 0; round < 200; ++round) {
         MediumStack stack;
         std::vector<std::uint32_t> list;
@@ -26,13 +28,14 @@ TEST(MediumStack, BehavesLikeAListOfSixAtMost) {
             const bool inside = std::find(list.begin(), list.end(), instance) != list.end();
             EXPECT_EQ(stack.contains(instance), inside);
             if (random.below(2) == 0) {
-                stack = stack.entered(instance);
+                stack = stack.entered(instance, rankOf(instance));
                 if (!inside && list.size() < 6) list.push_back(instance);
             } else {
                 stack = stack.left(instance);
                 std::erase(list, instance);
             }
-            ASSERT_EQ(stack.top(), list.empty() ? MediumStack::kVacuum : list.back());
+            ASSERT_EQ(stack.top(), list.empty() ? MediumStack::kVacuum
+                                                : *std::max_element(list.begin(), list.end(), lower));
         }
     }
 }

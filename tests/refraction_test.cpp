@@ -248,5 +248,37 @@ TEST(Refraction, MediumOfSeveralPartsAttenuatesByEach) {
     EXPECT_NEAR(Tracing(scene).pixel().g, 0.81 * 0.64 * std::exp(-0.5 * 0.5 - 2 * 0.5), 1e-5);
 }
 
+TEST(Refraction, BallHalfInWaterIsGlassAllThroughWhicheverComesFirst) {
+    const auto picture = [](bool waterFirst) {
+        Scene scene = underSky(Color(0.2F));
+        scene.environment.zenith = Color(1);
+        const auto water = [&] { add(scene, Box{{20, 4, 20}}, glass(1.33F), at({0, -2, 0})); };
+        if (waterFirst) water();
+        add(scene, Sphere{1}, glass(1.5F));
+        if (!waterFirst) water();
+        return scene;
+    };
+    for (const bool waterFirst : {true, false}) {
+        const Scene scene = picture(waterFirst);
+        // down through the ball's top, straight on through the water's face in it, and out into the water
+        const DVec3 from(0.3, 3, 0);
+        const auto rays = path(raysFrom(scene, from, {0, -1, 0}), {kIn, kIn, kOut});
+        ASSERT_EQ(rays.size(), 4U);
+        EXPECT_LT(angleBetween(DVec3(rays[1].direction), DVec3(rays[2].direction)), 1e-4);
+        EXPECT_NEAR(rays[2].origin.y, 0, 1e-5) << "where the water's face is";
+        const DVec3 exit(rays[3].origin), normal = glm::normalize(exit);
+        const auto sine = [&](const DVec3& direction) { return glm::length(glm::cross(direction, normal)); };
+        EXPECT_NEAR(sine(DVec3(rays[3].direction)) / sine(DVec3(rays[2].direction)), 1.5 / 1.33, 1e-4);
+        // and back again the same way
+        const auto back =
+            path(raysFrom(scene, exit + 0.5 * DVec3(rays[3].direction), -DVec3(rays[3].direction)),
+                 {kIn, kIn, kOut});
+        ASSERT_EQ(back.size(), 4U);
+        EXPECT_LT(angleBetween(DVec3(back[3].direction), {0, 1, 0}), 1e-3);
+    }
+    EXPECT_EQ(Tracing(picture(true), toDepth(6), 48, 48).radiance(),
+              Tracing(picture(false), toDepth(6), 48, 48).radiance());
+}
+
 }
 }

@@ -40,9 +40,10 @@ struct WorldMaterial {
 /// What the tracer must know of an instance of the accelerator.
 struct WorldObject {
     std::uint32_t material = 0;
-    int sceneObject = -1; // id in Scene::objects; -1: the surface of a lamp
-    int sceneLight = -1;  // of the surface of a lamp: id in Scene::lights
-    bool solid = false;   // has an inside: rays that pass its surface change medium
+    int sceneObject = -1;   // id in Scene::objects; -1: the surface of a lamp
+    int sceneLight = -1;    // of the surface of a lamp: id in Scene::lights
+    bool solid = false;     // has an inside: rays that pass its surface change medium
+    std::uint32_t rank = 0; // of transparent solids: where several overlap, the highest is what is there
     bool vertexColors = false;
 };
 

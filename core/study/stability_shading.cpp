@@ -165,7 +165,7 @@ MeasuredForms waterInGlass(double angle, const StabilityEffort& effort) {
             {.material = static_cast<std::uint32_t>(world.materials.size()), .solid = true});
         world.materials.push_back(material);
     }
-    const MediumStack inGlass = MediumStack().entered(0);
+    const MediumStack inGlass = MediumStack().entered(0, 0);
     const auto inputs = inputsOf(effort.trials, 36, [&](TrialNumbers& numbers) {
         const double lean = radians(std::clamp(angle + numbers.uniform(-1, 1), 0.0, 90.0));
         const Vec3 wo = leaning(lean, numbers.uniform(0, 2 * kPiD));
@@ -236,7 +236,7 @@ std::vector<StabilityCase> shadingCases() {
         {.id = "F36",
          .title = "Water in a glass by way of air",
          .why = "each surface takes air for what is outside: 30° in glass become 22° and not 34°",
-         .fix = "η of what the ray is in: the last solid entered (after Schmidt, Budge, JGT 7(2) 2002)",
+         .fix = "η of what the ray is in: the smallest solid there (after Schmidt, Budge, JGT 7(2) 2002)",
          .parameter = "angle in glass, degrees",
          .error = "length of the direction's error",
          .failure = "off by more than 10⁻³, or not a number",

@@ -77,7 +77,8 @@ Color filteredStraight(SampleState<Index, Recorder>& state, Ray ray, MediumStack
         std::optional<Surface> own;
         const ShadingPoint p = shadingPointAt<F>(world, state.geometry, ray, *hit, own);
         transmitted *= p.surface->transmission;
-        if (p.object->solid) media = p.front ? media.entered(p.instance) : media.left(p.instance);
+        if (p.object->solid)
+            media = p.front ? media.entered(p.instance, p.object->rank) : media.left(p.instance);
         ray.origin = spawnOrigin(p.at, ray.direction);
         ray.tMax -= length;
     }

@@ -7,34 +7,46 @@
 
 namespace eyeray {
 
-/// Instances whose inside a ray is in, outermost first. The last one entered rules; leaving one removes it
-/// wherever it stands, so overlapping solids do no harm. Beyond kCapacity nested solids further ones are not
-/// entered.
+/// Instances whose inside a ray is in, by their rank, so that it does not matter in which order they were
+/// entered. Where solids overlap the one of the highest rank is what is there. Beyond kCapacity solids in one
+/// place further ones are not entered.
 class MediumStack {
 public:
     static constexpr std::uint32_t kVacuum = 0xffffffff;
 
-    std::uint32_t top() const { return size_ > 0 ? instances_[size_ - 1] : kVacuum; }
+    /// What the ray runs in.
+    std::uint32_t top() const { return size_ > 0 ? instanceOf(ranked_[size_ - 1]) : kVacuum; }
     bool contains(std::uint32_t instance) const {
-        return std::find(instances_.begin(), instances_.begin() + size_, instance) !=
-               instances_.begin() + size_;
+        return std::any_of(begin(), end(),
+                           [=](std::uint64_t entry) { return instanceOf(entry) == instance; });
     }
-    MediumStack entered(std::uint32_t instance) const {
+    /// `rank` is WorldObject's.
+    MediumStack entered(std::uint32_t instance, std::uint32_t rank) const {
         MediumStack result = *this;
-        if (size_ < kCapacity && !contains(instance)) result.instances_[result.size_++] = instance;
+        if (size_ == kCapacity || contains(instance)) return result;
+        const std::uint64_t entry = static_cast<std::uint64_t>(rank) << 32U | instance;
+        const auto place = std::upper_bound(begin(), end(), entry) - begin();
+        std::copy_backward(begin() + place, end(), result.ranked_.begin() + size_ + 1);
+        result.ranked_[static_cast<std::size_t>(place)] = entry;
+        ++result.size_;
         return result;
     }
     MediumStack left(std::uint32_t instance) const {
         MediumStack result = *this;
-        const auto end = result.instances_.begin() + size_;
-        result.size_ = static_cast<std::uint8_t>(std::remove(result.instances_.begin(), end, instance) -
-                                                 result.instances_.begin());
+        const auto last = std::remove_if(result.ranked_.begin(), result.ranked_.begin() + size_,
+                                         [=](std::uint64_t entry) { return instanceOf(entry) == instance; });
+        result.size_ = static_cast<std::uint8_t>(last - result.ranked_.begin());
         return result;
     }
 
 private:
     static constexpr std::uint8_t kCapacity = 6;
-    std::array<std::uint32_t, kCapacity> instances_{};
+
+    static std::uint32_t instanceOf(std::uint64_t entry) { return static_cast<std::uint32_t>(entry); }
+    const std::uint64_t* begin() const { return ranked_.data(); }
+    const std::uint64_t* end() const { return begin() + size_; }
+
+    std::array<std::uint64_t, kCapacity> ranked_{}; // rank and instance, ascending
     std::uint8_t size_ = 0;
 };
 

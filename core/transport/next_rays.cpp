@@ -64,7 +64,11 @@ void addGlass(const World& world, const TraceSettings& settings, const ShadingPo
 
 Interface interfaceAt(const World& world, const Side& side, const MediumStack& media) {
     if (!side.solid) return {iorOf(world, media.top()) / side.ior, media};
-    if (side.front) return {iorOf(world, media.top()) / side.ior, media.entered(side.instance)};
+    if (side.front) {
+        const MediumStack beyond = media.entered(side.instance, world.objects[side.instance].rank);
+        const float inside = beyond.top() == side.instance ? side.ior : iorOf(world, beyond.top());
+        return {iorOf(world, media.top()) / inside, beyond};
+    }
     const MediumStack beyond = media.left(side.instance);
     // an eye that stands in an open mesh leaves what it never entered
     const float inside = media.contains(side.instance) ? iorOf(world, media.top()) : side.ior;

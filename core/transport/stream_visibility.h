@@ -65,7 +65,7 @@ Vec3Lanes filteredStraight(const World& world, const IndexedGeometry<Index>& geo
                             transmitted.at(lane) * world.materials[object.material].surface.transmission);
             if (!object.solid) return;
             const bool entered = ((front >> lane) & 1U) != 0;
-            media[lane] = entered ? media[lane].entered(instance) : media[lane].left(instance);
+            media[lane] = entered ? media[lane].entered(instance, object.rank) : media[lane].left(instance);
         });
         rays.origin = select(asked, spawnOrigin(at, rays.direction), rays.origin);
         rays.tMax = rays.tMax - length;

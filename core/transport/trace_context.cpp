@@ -5,12 +5,11 @@
 namespace eyeray {
 namespace {
 
-/// Solids around a point, by parity along one ray: of those hit an odd number of times the last to be left is
-/// outermost.
+/// Solids around a point, by parity along one ray: those hit an odd number of times.
 MediumStack mediaAround(const World& world, const Vec3& point) {
     constexpr int kMostSurfaces = 256; // beyond it the answer is given up rather than the time
     if (!world.needs.refractions) return {};
-    std::vector<std::uint32_t> odd; // in order of the last hit
+    std::vector<std::uint32_t> odd;
     Ray ray{point, Vec3(0.4472136F, 0.7745967F, 0.4472136F)};
     std::visit(
         [&](const auto& geometry) {
@@ -24,7 +23,7 @@ MediumStack mediaAround(const World& world, const Vec3& point) {
         },
         *world.accel);
     MediumStack media;
-    for (auto instance = odd.rbegin(); instance != odd.rend(); ++instance) media = media.entered(*instance);
+    for (const std::uint32_t instance : odd) media = media.entered(instance, world.objects[instance].rank);
     return media;
 }
 
