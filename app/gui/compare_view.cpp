@@ -34,6 +34,8 @@ bool idle(std::string_view key, FaultSet faults) {
            (key == "clamp" && !faults.has(Fault::EarlyClamp));
 }
 
+double millions(const RayCounts& counts) { return 1e-6 * static_cast<double>(counts.total()); }
+
 double percent(std::uint64_t part, std::uint64_t whole) {
     return whole > 0 ? 100.0 * static_cast<double>(part) / static_cast<double>(whole) : 0;
 }
@@ -65,9 +67,9 @@ std::vector<std::string> wrongLines(const PictureChange& change) {
     const double light = change.lightHere > 0 ? 100 * (change.lightThere / change.lightHere - 1) : 0;
     return {fmt::format("{} pixels wrong ({:.2f} %), light {:+.1f} %", countText(change.wrong),
                         percent(change.wrong, change.pixels), light),
-            fmt::format("{:.2f} s | {:.2f} s, {} | {} rays for {} sample{}", change.secondsThere,
-                        change.secondsHere, countText(change.there.total()), countText(change.here.total()),
-                        change.samples, change.samples == 1 ? "" : "s")};
+            fmt::format("{:.2f} s | {:.2f} s, {:.1f} | {:.1f} Mrays, {} sample{}", change.secondsThere,
+                        change.secondsHere, millions(change.there), millions(change.here), change.samples,
+                        change.samples == 1 ? "" : "s")};
 }
 
 void CompareView::refresh(const Viewer& viewer) {
@@ -162,7 +164,7 @@ void CompareView::legend(const Widgets& ui, const LegendPlace& place) const {
     });
 }
 
-/// What the class reads off: how wrong the left side is, what it costs, why, and who found the cure.
+/// What the class reads off: how wrong the left side is, what it costs, and why.
 void CompareView::labLegend(const Widgets& ui) {
     const auto& change = ui.viewer.comparison().change();
     if (change) {
@@ -172,9 +174,7 @@ void CompareView::labLegend(const Widgets& ui) {
     } else {
         ImGui::TextDisabled("tracing both sides");
     }
-    const LabDemo& demo = *ui.viewer.document().lab;
-    ImGui::TextWrapped("%s", std::string(demo.why).c_str());
-    dimmedText(std::string(demo.fix));
+    ImGui::TextWrapped("%s", std::string(ui.viewer.document().lab->why).c_str());
 }
 
 }
