@@ -34,6 +34,7 @@ TriangleMesh disc(double radius) {
 /// `height`.
 Estimate formFactor(Scene scene, double half, double height, bool round) {
     constexpr int kSide = 32, kPasses = 400;
+    constexpr double kRadius = 0.5 * kSide; // pixels
     add(scene, Plane{}, matte(Color(1)));
     look(scene, {0, height, 0}, {0, 0, 0}, degrees(2 * std::atan(half / height)));
     const Tracing tracing(scene, by(Method::Path, 0), kSide, kSide);
@@ -42,9 +43,10 @@ Estimate formFactor(Scene scene, double half, double height, bool round) {
         const std::vector<Color> picture = tracing.radiance(pass);
         double light = 0, pixels = 0;
         for (std::size_t i = 0; i < picture.size(); ++i) {
-            const double x = static_cast<double>(i % kSide) + 0.5 - kSide / 2,
-                         y = static_cast<double>(i / kSide) + 0.5 - kSide / 2;
-            if (round && x * x + y * y > kSide * kSide / 4) continue;
+            const std::size_t column = i % kSide, row = i / kSide;
+            const double x = static_cast<double>(column) + 0.5 - kRadius,
+                         y = static_cast<double>(row) + 0.5 - kRadius;
+            if (round && x * x + y * y > kRadius * kRadius) continue;
             light += picture[i].r;
             pixels += 1;
         }
@@ -152,7 +154,7 @@ TriangleMesh tube(double radius, double height) {
 TEST(AmbientOcclusion, BesideWallsAndInATubeIsTheHiddenShareOfTheSky) {
     for (const Method method : kPhysical) {
         const Scene open = floorBelow(0.5F, Color(1));
-        const auto seen = [&](Scene scene) { return estimate(Tracing(scene, by(method)), 40000); };
+        const auto seen = [&](const Scene& scene) { return estimate(Tracing(scene, by(method)), 40000); };
         Scene wall = open; // as high as it is far
         add(wall, Plane{2000, 2, true}, matte(Color(0)), at({0, 0, -1}) * turned(90, {1, 0, 0}));
         expectMean(seen(wall), 0.5 * (1 - 0.146446609), 1e-4, "wall");

@@ -118,6 +118,7 @@ MeasuredForms growingBoxes(double count, const StabilityEffort& effort) {
             builds, effort,
             [&](int) {
                 std::vector<textbook::Vector<T>> middles;
+                middles.reserve(boxes.size());
                 for (const Bounds& box : boxes) middles.emplace_back(box.center());
                 return textbook::midpointDepth<T>(middles);
             },

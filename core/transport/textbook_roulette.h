@@ -23,8 +23,11 @@ T furnaceByRoulette(T albedo, const Draw& draw) {
 /// Synthesis".
 template <class T>
 T furnaceCutOff(T albedo, T cutoff) {
-    T sum = 0;
-    for (T weight = 1; weight >= cutoff; weight *= albedo) sum += weight;
+    T sum = 0, weight = 1;
+    while (weight >= cutoff) {
+        sum += weight;
+        weight *= albedo;
+    }
     return sum;
 }
 
@@ -33,8 +36,11 @@ T furnaceCutOff(T albedo, T cutoff) {
 template <class T>
 T furnaceLitTwice(T albedo) {
     constexpr T kNothing = T(1e-9);
-    T sum = 0;
-    for (T weight = 1; weight > kNothing; weight *= albedo) sum += weight + weight * albedo;
+    T sum = 0, weight = 1;
+    while (weight > kNothing) {
+        sum += weight + weight * albedo;
+        weight *= albedo;
+    }
     return sum;
 }
 
