@@ -229,6 +229,12 @@ TEST(NaiveForm, OfFirefliesLosesTwoThirdsOfTheLight) {
     EXPECT_EQ(failures("F48", 1e5), 0);
 }
 
+TEST(NaiveForm, OfPixelsThatStopThemselvesLosesRareLight) {
+    EXPECT_NEAR(error("F49", 0.05), 0.45, 0.05);
+    EXPECT_NEAR(error("F49", 0.02), 0.60, 0.05);
+    EXPECT_LT(error("F49", 0.5), 0.05);
+}
+
 TEST(NaiveForm, OfHaltonPointsIsCorrelatedInHighBases) {
     EXPECT_LT(error("F52", 3), 0.1);
     EXPECT_NEAR(error("F52", 67), 0.68, 0.15);

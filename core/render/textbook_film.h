@@ -36,4 +36,19 @@ T sumOfParts(std::span<const float> samples, int parts) {
     return sum;
 }
 
+/// Mean of `draw()` until its own standard error, looked at from the 16th sample on, is below `tolerance`.
+/// F49: a pixel that by chance has met no light yet takes itself for done.
+template <class T, class Draw>
+T meanUntilCalm(const Draw& draw, T tolerance) {
+    constexpr int kLeast = 16, kMost = 1 << 14;
+    T sum = 0, squares = 0;
+    for (int n = 1;; ++n) {
+        const T x = draw();
+        sum += x;
+        squares += x * x;
+        const T mean = sum / static_cast<T>(n), variance = squares / static_cast<T>(n) - mean * mean;
+        if (n == kMost || (n >= kLeast && variance < tolerance * tolerance * static_cast<T>(n))) return mean;
+    }
+}
+
 }

@@ -17,6 +17,8 @@ public:
     }
     TileResult& sample() { return sample_; }
     void add() { film_.add(0, sample_, passes_++); }
+    /// Of the values as they are, without a display curve.
+    double estimatedError() const { return film_.estimatedError(passes_, {.toneMap = ToneMap::None}); }
     ColorImage mean() const { return film_.mean(passes_); }
 
 private:

@@ -1,4 +1,4 @@
-// Samples of a pixel and what becomes of them: F48, F53, F58, F62.
+// Samples of a pixel and what becomes of them: F48, F49, F53, F58, F62.
 
 #include "core/base/thread_pool.h"
 #include "core/render/textbook_film.h"
@@ -47,6 +47,51 @@ MeasuredForms clamped(double level, const StabilityEffort& effort) {
         return judged(sum / static_cast<double>(samples.size()), ns);
     };
     return {naive(float()), naive(double()), judged(meanOf(film.mean()), filmNanoseconds(effort))};
+}
+
+/// 1 with a probability, else 0: in sample number `pass` of a pixel.
+float rareLight(double chance, std::size_t pixel, int pass) {
+    constexpr std::uint32_t kMostPasses = 1 << 14;
+    TrialNumbers numbers(49,
+                         static_cast<std::uint32_t>(pixel) * kMostPasses + static_cast<std::uint32_t>(pass));
+    return numbers.uniform(0, 1) < chance ? 1 : 0;
+}
+
+// Pixels that rare light reaches, traced until their standard error is small.
+MeasuredForms stopped(double chance, const StabilityEffort& effort) {
+    constexpr double kTolerance = 0.02;
+    constexpr int kTiles = 4, kPixels = kTiles * kTilePixels;
+    constexpr int kFirstLook = 16, kLooks = 8; // passes between looks
+    const auto judged = [=](double mean, double nanoseconds) -> Measured {
+        const double error = std::fabs(mean / chance - 1);
+        return {error, error > 0.05 ? 1e6 : 0, nanoseconds};
+    };
+    const std::vector<float> few(1024, 0.5F);
+    const auto naive = [&](auto type) {
+        using T = decltype(type);
+        double sum = 0;
+        for (std::size_t pixel = 0; pixel < kPixels; ++pixel) {
+            int pass = 0;
+            sum +=
+                textbook::meanUntilCalm<T>([&] { return rareLight(chance, pixel, pass++); }, T(kTolerance));
+        }
+        T all = 0, squares = 0;
+        const double ns = nanosecondsOf(few, effort, [&](float x) { return all += x, squares += T(x) * x; });
+        return judged(sum / kPixels, ns);
+    };
+    double sum = 0;
+    for (std::size_t tile = 0; tile < kTiles; ++tile) {
+        EvenFilm film(kTileSize);
+        int passes = 0;
+        do {
+            for (std::size_t pixel = 0; pixel < kTilePixels; ++pixel)
+                film.sample().radiance[pixel] = Color(rareLight(chance, tile * kTilePixels + pixel, passes));
+            film.add();
+            ++passes;
+        } while (passes < kFirstLook || passes % kLooks != 0 || film.estimatedError() > kTolerance);
+        sum += meanOf(film.mean()) / kTiles;
+    }
+    return {naive(float()), naive(double()), judged(sum, filmNanoseconds(effort))};
 }
 
 /// Of the pixel whose lower edges lie v0 and v1 pixels under the horizon, the share of stripes of one metre
@@ -185,6 +230,16 @@ std::vector<StabilityCase> pixelCases() {
          .sweep = decades(0, 5),
          .mark = {1e-5, 0},
          .measure = clamped},
+        {.id = "F49",
+         .title = "Pixels that stop by their own error",
+         .why = "one that by chance met no light in 16 samples calls itself done: rare light gets lost",
+         .fix = "the error of all pixels of a tile together (after Kirk, Arvo, SIGGRAPH 1991)",
+         .parameter = "share of samples that meet light",
+         .error = "relative error of the mean over all pixels",
+         .failure = "off by more than 5 %",
+         .sweep = {0.02, 0.03, 0.05, 0.1, 0.2, 0.5},
+         .mark = {0.05, 0},
+         .measure = stopped},
         {.id = "F53",
          .title = "One place for a whole pixel",
          .why = "many stripes in a pixel, and its middle lies on one of them: moiré",
