@@ -167,6 +167,19 @@ TEST(AmbientOcclusion, BesideWallsAndInATubeIsTheHiddenShareOfTheSky) {
     }
 }
 
+TEST(Penumbra, OfARoundLampHasTheVisibleSharesOfItsDisc) {
+    // Radius ½, 4 m up; an edge above x = 0 at half the height. A ball so far away looks like a disc.
+    for (const Method method : kPhysical)
+        for (const auto& [x, share] : {std::pair{-0.25, 0.804498891}, {0.0, 0.5}, {0.25, 0.195501109}}) {
+            Scene scene = floorBelow(1);
+            look(scene, {x, 0.05, 0}, {x, 0, 0}, 0.01);
+            scene.lights = {lampAt({0, 4, 0}, SphereLamp{0.5}, 100)};
+            const double whole = estimate(Tracing(scene, by(method)), 4000).mean.x;
+            add(scene, Box{{10, 1e-3F, 10}}, matte(Color(0)), at({5, 2, 0}));
+            expectMean(estimate(Tracing(scene, by(method)), 40000), share * whole, 3e-3 * whole);
+        }
+}
+
 /// The lower half of a sphere of radius 1, open above.
 TriangleMesh bowl() {
     constexpr std::uint32_t kRows = 128, kColumns = 256;
