@@ -203,7 +203,8 @@ TEST(MeasuredNeeds, TakeBackWhatFailsInTheWholePicture) {
     MeasuredNeeds hopeless = measured(plan);
     hopeless.taken = {{{.what = "reflection rays",
                         .from = "on",
-                        .rungs = {{"off", [](PictureModel& m) { m.trace.reflections = false; }}}},
+                        .rungs = {{"off", [](PictureModel& m) { m.trace.reflections = false; }}},
+                        .leftOut = "reflection rays"},
                        0,
                        0}};
     hopeless.items[0].to = "off";

@@ -66,7 +66,8 @@ private:
                           .from = proved.ladder.from,
                           .to = proved.to,
                           .reason = proved.reason,
-                          .proved = true};
+                          .proved = true,
+                          .takenBack = {}};
             if (proved.force) item.saving = savingOf(studio_.shoot(result_.asSet, proved.force), asSet_);
             result_.items.push_back(std::move(item));
         }
@@ -125,8 +126,11 @@ private:
         if (auto held = smallest(ladder, rung + 1)) {
             take(ladder, held->rung, std::move(held->shot));
         } else {
-            result_.items.push_back(
-                {.what = ladder.what, .from = ladder.from, .to = ladder.from, .reason = "stays as it is"});
+            result_.items.push_back({.what = ladder.what,
+                                     .from = ladder.from,
+                                     .to = ladder.from,
+                                     .reason = "stays as it is",
+                                     .takenBack = {}});
         }
         result_.items.back().takenBack = inWhole(measured.to);
     }
@@ -143,7 +147,8 @@ private:
                                  .to = to,
                                  .reason = reasonOf(fmt::format(fmt::runtime(ladder.leftOut), to), error),
                                  .saving = savingOf(now_, shot),
-                                 .error = error});
+                                 .error = error,
+                                 .takenBack = {}});
         result_.taken.push_back({ladder, rung, result_.items.size() - 1});
         ladder.rungs[rung].climb(result_.needed);
         now_ = std::move(shot);
@@ -180,7 +185,8 @@ private:
                                  .to = nameOf(*best),
                                  .reason = fmt::format("it finds the same hits faster: {} primitive{}",
                                                        world->primitives, world->primitives == 1 ? "" : "s"),
-                                 .saving = 1 - bestSeconds / now_.secondsPerSample});
+                                 .saving = 1 - bestSeconds / now_.secondsPerSample,
+                                 .takenBack = {}});
         result_.needed.accel = *best;
         now_.secondsPerSample = bestSeconds;
     }
@@ -197,9 +203,10 @@ private:
         result_.items.push_back({.what = "samples",
                                  .from = fmt::format("{}", samples.asSet),
                                  .to = fmt::format("{}", samples.enough),
-                                 .reason = "as many again change too little to be seen",
+                                 .reason = "more would change too little to be seen",
                                  .saving = 1 - static_cast<double>(samples.enough) / samples.asSet,
-                                 .error = {0, samples.flip}});
+                                 .error = {0, samples.flip},
+                                 .takenBack = {}});
     }
 
     MeasuredNeeds finish() {

@@ -28,12 +28,12 @@ struct NeedsPlan {
 
 /// One thing that the model found has smaller than as set.
 struct NeedItem {
-    std::string what{}, from{}, to{}; // "max depth", "16", "7"
-    std::string reason{};             // one line
-    bool proved = false;              // no pixel can change; else measured
-    double saving = 0;                // share of the time of what was left before it
-    ModelError error{};               // of this item alone
-    std::string takenBack{};          // what the whole picture has shown, if it needs more than those tiles
+    std::string what, from, to; // "max depth", "16", "7"
+    std::string reason;         // one line
+    bool proved = false;        // no pixel can change; else measured
+    double saving = 0;          // share of the time of what was left before it
+    ModelError error{};         // of this item alone
+    std::string takenBack;      // what the whole picture has shown, if it needs more than those tiles
 };
 
 struct MeasuredNeeds {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "core/image/flip.h"
 #include "core/image/metrics.h"
@@ -28,12 +29,13 @@ ColorImage blockMeans(const ColorImage& picture, int side) {
     return means;
 }
 
-/// The mean of the second half of twice as many samples.
-ColorImage secondHalf(const ColorImage& both, const ColorImage& first) {
-    ColorImage second(both.width(), both.height());
-    for (std::size_t i = 0; i < second.values().size(); ++i)
-        second.values()[i] = glm::max(2.0F * both.values()[i] - first.values()[i], Color(0));
-    return second;
+/// A picture as far from that of n samples as the truth is by their standard error, on the way to that of 2n.
+ColorImage likelyTruth(const ColorImage& once, const ColorImage& twice) {
+    constexpr auto kFarther = std::numbers::sqrt2_v<float>;
+    ColorImage truth(once.width(), once.height());
+    for (std::size_t i = 0; i < truth.values().size(); ++i)
+        truth.values()[i] = glm::max(glm::mix(once.values()[i], twice.values()[i], kFarther), Color(0));
+    return truth;
 }
 
 }
@@ -112,10 +114,10 @@ EnoughSamples ModelStudio::enoughSamples(const PictureModel& model, double toler
         return passes.picture();
     };
     EnoughSamples result{model.samples, model.samples, 0};
-    ColorImage first = traceTo(least);
+    ColorImage once = traceTo(least);
     for (int n = least; 2 * n <= model.samples; n *= 2) {
-        ColorImage both = traceTo(2 * n);
-        const double change = meanFlip(flip(shown(first), shown(secondHalf(both, first))));
+        ColorImage twice = traceTo(2 * n);
+        const double change = meanFlip(flip(shown(once), shown(likelyTruth(once, twice))));
         look();
         if (change <= tolerance) {
             result.enough = n;
@@ -124,7 +126,7 @@ EnoughSamples ModelStudio::enoughSamples(const PictureModel& model, double toler
         }
         // ꟻLIP falls no faster than as 1/n: beyond hope, all are needed
         if (n >= 4 && change * 2 * n > tolerance * model.samples) break;
-        first = std::move(both);
+        once = std::move(twice);
     }
     // the standard error falls as 1/√n: when a picture would stop by it
     const double wanted = settings_.stop.error;

@@ -28,7 +28,7 @@ inline constexpr int kNoisyModelSamples = 16; // of methods that scatter
 
 /// A model's picture of a few samples.
 struct ModelShot {
-    ColorImage picture{};
+    ColorImage picture;
     std::uint64_t rays = 0;
     double secondsPerSample = 0; // of each pixel of the whole picture, on all threads; of the fastest
 };
@@ -59,8 +59,8 @@ public:
     ModelError compare(const ModelShot& reference, const ModelShot& test) const;
 
     /// The fewest samples, a power of two, to which as many again change no more than mean ꟻLIP `tolerance`;
-    /// else as set. The second half errs as the first does, so the truth is nearer than what is measured.
-    /// Looks from `least` on.
+    /// else as set. Of independent samples the truth is √2 times as far away as the mean with as many again;
+    /// of well spread ones it is nearer. Looks from `least` on.
     EnoughSamples enoughSamples(const PictureModel&, double tolerance, int least);
 
     std::shared_ptr<const World> world(const PictureModel&);

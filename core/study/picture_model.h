@@ -26,9 +26,9 @@ struct NeedLadder {
         std::string to;
         std::function<void(PictureModel&)> climb; // makes a model that much smaller
     };
-    std::string what{}, from{}; // "max depth", "16"
-    std::vector<Rung> rungs{};
-    std::string leftOut{};   // what a rung leaves out, plural, with {} for its `to`
+    std::string what, from; // "max depth", "16"
+    std::vector<Rung> rungs;
+    std::string leftOut;     // what a rung leaves out, plural, with {} for its `to`
     bool evenIfFree = false; // worth having if it changes no pixel, though it saves no ray
 };
 
