@@ -190,7 +190,7 @@ TEST(Explain, TheMeanOfTheRetracedSamplesIsTheFilm) {
     Explained screen;
     const auto film = screen.viewer.session().pixel(screen.pixel.x, screen.pixel.y);
     ASSERT_TRUE(film);
-    EXPECT_EQ(film->passes, kSamples);
+    EXPECT_EQ(film->samples, kSamples);
     EXPECT_EQ(screen.study().mean().samples(), kSamples);
     EXPECT_EQ(screen.study().mean().value(), film->mean);
     EXPECT_EQ(screen.viewer.session().image().at(screen.pixel.x, screen.pixel.y), film->mean);

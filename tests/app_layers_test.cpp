@@ -128,6 +128,24 @@ TEST(LayersUi, AScreenshotOfALayerHoldsItAndOpensInThatState) {
     EXPECT_EQ(screen.document().layer, "depth");
 }
 
+TEST(LayersUi, TheSamplesAreThoseOfThePictureItself) {
+    Screen screen;
+    run(screen, "set error=0.05 samples=64");
+    run(screen, "layer name=samples");
+    run(screen, "wait samples=64");
+    const ColorImage counts = screen.viewer.session().sampleCounts();
+    EXPECT_EQ(screen.viewer.layerImage()->values, counts);
+    const auto [least, most] = std::ranges::minmax_element(
+        counts.values(), [](const Color& a, const Color& b) { return a.x < b.x; });
+    EXPECT_EQ(least->x, 4) << "the pilot";
+    EXPECT_EQ(most->x, screen.viewer.status().samples);
+    EXPECT_GT(most->x, 16);
+    EXPECT_EQ(screen.viewer.layers().film(), nullptr) << "nothing is traced for it";
+    run(screen, "set adaptive=off");
+    const ColorImage even = screen.viewer.layerImage()->values;
+    EXPECT_EQ(even, ColorImage(even.width(), even.height(), even.at(0, 0)));
+}
+
 TEST(LayersUi, AnUnknownLayerIsRefusedAndNothingChanges) {
     Screen screen;
     EXPECT_FALSE(screen.gui.execute(Command::parse("layer name=kolor")));
@@ -143,7 +161,7 @@ TEST(CompareUi, LeftOfTheLineIsTheOtherSideAndRightOfItThisOne) {
     const ByteImage deep = shownPicture(screen);
     run(screen, "compare with=\"max-depth=1\"");
     const ByteImage split = shownPicture(screen);
-    const int middle = split.width() / 2, label = 40, y = split.height() / 3;
+    const int middle = split.width() / 2, label = 60, y = 2 * split.height() / 5;
     int differing = 0;
     for (int x = 0; x < split.width(); ++x)
         for (int row = label; row < y; ++row) {
@@ -282,6 +300,20 @@ TEST(CompareUi, ThePanelComparesWithAPreset) {
     screen.settle();
     EXPECT_TRUE(screen.document().comparison.on);
     EXPECT_EQ(screen.document().comparison.with, "shadows=off");
+}
+
+TEST(CompareUi, WithEqualSecondsTheOtherSideIsTracedNoShorter) {
+    Screen screen;
+    run(screen, "compare with=\"max-depth=1\" equal=seconds");
+    const PictureChange& change = *screen.viewer.comparison().change();
+    EXPECT_EQ(change.samples, kSamples);
+    EXPECT_GE(change.samplesThere, 1);
+    EXPECT_GT(change.secondsHere, 0);
+    EXPECT_GE(change.secondsThere, change.secondsHere);
+    EXPECT_EQ(screen.viewer.comparison().session()->status().samples, change.samplesThere) << "it waits";
+    run(screen, "compare equal=samples");
+    EXPECT_EQ(screen.viewer.comparison().change()->samplesThere, kSamples);
+    EXPECT_FALSE(screen.gui.execute(Command::parse("compare equal=rays")));
 }
 
 TEST(CompareUi, TheOtherSideMayBeWhatOpenGLDraws) {

@@ -238,6 +238,7 @@ TEST(RenderSession, EndOfTimeKeepsWholePasses) {
 TEST(RenderSession, EndsWhenNoErrorIsLeftToSee) {
     RenderSettings settings = settingsFor(100'000);
     settings.stop.error = kInvisibleError;
+    settings.stop.adaptive = false;
     RenderSession session(2);
     start(session, underSky(Color(0.5F)), settings);
     RenderStatus status = finished(session);

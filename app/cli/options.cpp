@@ -86,6 +86,8 @@ void addPicture(CLI::App& app, PictureOptions& options) {
     addStop(app, options, "samples", "N", "stop after N samples per pixel");
     addStop(app, options, "seconds", "S", "stop after S seconds");
     addStop(app, options, "error", "E", "stop when the estimated error (0 to 1) is below E");
+    addSetting(app, options, "adaptive", "on|off",
+               "with --error: each pixel stops by the error around it (on), or all together");
     app.add_option("--first-pass", options.firstPass, "number of the first sample")
         ->check(CLI::Range(0, kMostSamples))
         ->type_name("K");

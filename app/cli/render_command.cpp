@@ -52,6 +52,7 @@ nlohmann::json statistics(const RenderJob& job, const RenderStatus& status) {
             {"width", job.settings.width},
             {"height", job.settings.height},
             {"samples", status.samples},
+            {"samples_per_pixel", status.samplesPerPixel},
             {"threads", status.threads},
             {"method", kMethodNames[static_cast<std::size_t>(method)]},
             {"seconds",
@@ -161,13 +162,19 @@ RenderJob prepare(const RenderOptions& options) {
     return job;
 }
 
-/// Renders the picture itself; nothing is written if it is broken off before its first sample is whole.
-std::optional<RenderStatus> renderPicture(RenderJob& job, const RenderOptions& options) {
+/// Renders the picture itself, and writes it or where its samples went; nothing is written if it is broken
+/// off before its first sample is whole.
+std::optional<RenderStatus> renderPicture(RenderJob& job, const RenderOptions& options,
+                                          const std::vector<Layer>& layers) {
     RenderSession session(job.document.threads);
     RenderStatus status = render(session, job, showsProgress(options));
     const ColorImage image = session.image();
     if (image.empty()) return std::nullopt;
     meterExposure(job, image);
+    if (isSampleMap(layers)) {
+        writeOneLayer(job, options, {layers.front(), status.samples, session.sampleCounts()});
+        return status;
+    }
     writePicture(options.output, image, shownDisplay(job.document.render), stateOf(job));
     return status;
 }
@@ -183,7 +190,8 @@ int run(const RenderOptions& options) {
     job.world = buildWorld(job.document.scene, job.document.build);
     job.buildSeconds = secondsSince(buildStart);
 
-    const auto status = layers.empty() ? renderPicture(job, options) : renderLayers(job, options, layers);
+    const bool byLayers = !layers.empty() && !isSampleMap(layers);
+    const auto status = byLayers ? renderLayers(job, options, layers) : renderPicture(job, options, layers);
     if (!status) {
         fmt::print(stderr, "eyeray: interrupted before the first sample was whole: nothing is written\n");
         return 1;

@@ -36,6 +36,12 @@ void meterExposure(RenderJob&, const ColorImage& picture);
 /// cannot do.
 std::vector<Layer> layersFor(const RenderJob&, const RenderOptions&);
 
+/// Whether it is the samples of the picture itself that are asked for, to be counted as it is rendered.
+bool isSampleMap(const std::vector<Layer>&);
+
+/// Writes a layer, and says what the colours of a picture of numbers stand for.
+void writeOneLayer(const RenderJob&, const RenderOptions&, const LayerImage&);
+
 /// Renders layers and writes them. Nothing, and no file, if it is interrupted before the first sample is
 /// whole.
 std::optional<RenderStatus> renderLayers(RenderJob&, const RenderOptions&, const std::vector<Layer>&);

@@ -67,10 +67,20 @@ std::vector<Layer> layersFor(const RenderJob& job, const RenderOptions& options)
         checkLayerFile(options.output, layer);
         layers = {layer};
     }
-    if (!layers.empty() && job.settings.stop.error > 0)
-        throw InputError("--error", "only the picture itself stops by its error",
+    if (!layers.empty() && !isSampleMap(layers) && job.settings.stop.error > 0)
+        throw InputError("--error", "only the picture itself and its samples stop by the error",
                          "give --samples or --seconds with --layer");
     return layers;
+}
+
+bool isSampleMap(const std::vector<Layer>& layers) {
+    return layers.size() == 1 && layers.front().quantity == Quantity::Samples;
+}
+
+void writeOneLayer(const RenderJob& job, const RenderOptions& options, const LayerImage& image) {
+    writeLayer(options.output, image, shownDisplay(job.document.render), stateOf(job));
+    if (hasRange(image.layer.quantity) && !holdsRadiance(formatOf(options.output)))
+        fmt::print(stderr, "eyeray: {}\n", rangeText(image, rangeOf(image)));
 }
 
 std::optional<RenderStatus> renderLayers(RenderJob& job, const RenderOptions& options,
@@ -90,9 +100,7 @@ std::optional<RenderStatus> renderLayers(RenderJob& job, const RenderOptions& op
         writeLayers(options.output, images, stateOf(job));
         return status;
     }
-    writeLayer(options.output, images.front(), shownDisplay(job.document.render), stateOf(job));
-    if (hasRange(layers.front().quantity) && !holdsRadiance(formatOf(options.output)))
-        fmt::print(stderr, "eyeray: {}\n", rangeText(images.front(), rangeOf(images.front())));
+    writeOneLayer(job, options, images.front());
     return status;
 }
 

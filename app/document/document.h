@@ -1,9 +1,12 @@
 #pragma once
 // What is being looked at: a scene, how it is seen and how it is rendered. A value: edits make a new one.
 
+#include <array>
+#include <cstdint>
 #include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
 
 #include "app/document/command.h"
 #include "core/render/render_settings.h"
@@ -20,14 +23,19 @@ struct PixelPosition {
     friend bool operator==(const PixelPosition&, const PixelPosition&) = default;
 };
 
+/// What both sides of a comparison are given as much of.
+enum class EqualShare : std::uint8_t { Samples, Seconds };
+inline constexpr std::array<std::string_view, 2> kEqualShareNames = {"samples", "seconds"};
+
 /// The picture beside the same one under other settings, or beside what OpenGL draws.
 struct Comparison {
     static constexpr const char* kRasterised = "rasterised";
 
     bool on = false;
     std::string with = "max-depth=1"; // settings of the other side, as `set` takes them; or kRasterised
-    double split = 0.5;               // share of the width, from the left, that shows the other side
-    bool difference = false;          // in place of both sides: gain · |this − other|
+    EqualShare equal = EqualShare::Samples;
+    double split = 0.5;      // share of the width, from the left, that shows the other side
+    bool difference = false; // in place of both sides: gain · |this − other|
     double gain = 1;
     bool marks = false; // pixels of the other side that are wrong beside this one
 

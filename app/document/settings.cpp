@@ -110,6 +110,7 @@ constexpr auto focus = [](auto& d) -> auto& { return d.camera.focusDistance; };
 constexpr auto samples = [](auto& d) -> auto& { return d.render.stop.samples; };
 constexpr auto seconds = [](auto& d) -> auto& { return d.render.stop.seconds; };
 constexpr auto error = [](auto& d) -> auto& { return d.render.stop.error; };
+constexpr auto adaptive = [](auto& d) -> auto& { return d.render.stop.adaptive; };
 constexpr auto exposure = [](auto& d) -> auto& { return d.render.display.exposure; };
 constexpr auto toneMap = [](auto& d) -> auto& { return d.render.display.toneMap; };
 constexpr auto accel = [](auto& d) -> auto& { return d.build.accel; };
@@ -146,6 +147,9 @@ constexpr std::array kSettings = {
     entry<Number<seconds, 0, kMostSeconds>>("seconds", "stop after so much time; 0 is no limit"),
     entry<Number<error, 0, 1>>(
         "error", "stop when the estimated error of the displayed values (0 to 1) is below this; 0 is never"),
+    entry<Flag<adaptive>>("adaptive",
+                          "each pixel stops when the error around it is below the one asked for: on; or all "
+                          "together when the worst tile's is: off"),
     entry<Choice<accel, kAccelNames>>("accel", "index that finds hits: auto, brute (force) or bvh2"),
     entry<Integer<threads, 0, 1024>>("threads", "threads that trace; 0 is one per core"),
     entry<Integer<seed, 0, 2147483647>>("seed", "start of the addressed random numbers"),

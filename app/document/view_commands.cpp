@@ -33,12 +33,14 @@ void layer(Document& document, const Command& command) {
 }
 
 void compare(Document& document, const Command& command) {
-    command.allowOnly({"on", "with", "split", "difference", "gain"});
+    command.allowOnly({"on", "with", "equal", "split", "difference", "gain"});
     Comparison& comparison = document.comparison;
     if (const auto with = command.find("with")) {
         comparison.with = *with;
         otherSide(document);
     }
+    if (const auto equal = command.choice("equal", kEqualShareNames))
+        comparison.equal = static_cast<EqualShare>(*equal);
     comparison.split = command.number("split", 0, 1).value_or(comparison.split);
     comparison.gain = command.number("gain", 1, 1000).value_or(comparison.gain);
     comparison.difference = command.flag("difference").value_or(comparison.difference);
@@ -49,8 +51,10 @@ void compare(Document& document, const Command& command) {
 
 constexpr std::array kCommands = {
     DocumentCommand{"layer", "name=NAME by=±N", "Shows a layer of the picture, or the next one.", layer},
-    DocumentCommand{"compare", "with=\"key=value …\"|rasterised split=0…1 difference=on|off gain=G on=on|off",
-                    "Compares with the picture under other settings.", compare},
+    DocumentCommand{
+        "compare",
+        "with=\"key=value …\"|rasterised equal=samples|seconds split=0…1 difference=on|off gain=G on=on|off",
+        "Compares with the picture under other settings.", compare},
 };
 
 }

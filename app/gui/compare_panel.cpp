@@ -54,6 +54,19 @@ void anySettings(const Widgets& ui, const Comparison& comparison) {
     ui.tooltip("any settings, such as max-depth=2 cutoff=0; Enter compares with them");
 }
 
+void equalShare(const Widgets& ui, const Comparison& comparison) {
+    labelled("Equal");
+    for (std::size_t i = 0; i < kEqualShareNames.size(); ++i) {
+        if (i > 0) ImGui::SameLine();
+        const std::string name(kEqualShareNames[i]);
+        if (ImGui::RadioButton(name.c_str(), comparison.equal == static_cast<EqualShare>(i)))
+            ui.part({"compare"}, "equal", name, false);
+        ui.mark("compare equal=" + name);
+        ui.tooltip(i == 0 ? "both sides have the same number of samples, of the same random numbers"
+                          : "both sides are traced for the same time: the faster one has more samples");
+    }
+}
+
 void countCell(std::uint64_t count, const ImVec4& color) {
     ImGui::TableNextColumn();
     ImGui::TextColored(color, "%s", countText(count).c_str());
@@ -83,6 +96,7 @@ void comparePanel(const Widgets& ui) {
     ui.partFlag({"compare"}, "Difference", "difference", comparison.on && comparison.difference);
     presets(ui, comparison);
     anySettings(ui, comparison);
+    if (!comparison.isRasterised()) equalShare(ui, comparison);
     ui.partNumber({"compare"}, "Gain", "gain", comparison.gain, 1, 100, "%.0f x", true);
     if (!comparison.on) return;
     const auto& change = ui.viewer.comparison().change();

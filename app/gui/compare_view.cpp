@@ -36,6 +36,14 @@ bool idle(std::string_view key, FaultSet faults) {
 
 double millions(const RayCounts& counts) { return 1e-6 * static_cast<double>(counts.total()); }
 
+std::string countOf(int count, const char* what) {
+    return fmt::format("{} {}{}", count, what, count == 1 ? "" : "s");
+}
+
+std::string costText(int samples, double seconds) {
+    return fmt::format("{}, {:.2f} s", countOf(samples, "sample"), seconds);
+}
+
 double percent(std::uint64_t part, std::uint64_t whole) {
     return whole > 0 ? 100.0 * static_cast<double>(part) / static_cast<double>(whole) : 0;
 }
@@ -59,17 +67,23 @@ SideNames sideNames(const Document& document) {
 }
 
 std::string changeText(const PictureChange& change) {
-    return fmt::format("{:.1f} % of pixels differ after {} sample{}", percent(change.changed, change.pixels),
-                       change.samples, change.samples == 1 ? "" : "s");
+    const std::string differing =
+        fmt::format("{:.1f} % of pixels differ after", percent(change.changed, change.pixels));
+    if (change.samples == change.samplesThere)
+        return fmt::format("{} {}", differing, countOf(change.samples, "sample"));
+    return fmt::format("{} {:.2f} s on the left, {:.2f} s on the right", differing, change.secondsThere,
+                       change.secondsHere);
 }
 
 std::vector<std::string> wrongLines(const PictureChange& change) {
     const double light = change.lightHere > 0 ? 100 * (change.lightThere / change.lightHere - 1) : 0;
+    const std::string samples = change.samples == change.samplesThere
+                                    ? countOf(change.samples, "sample")
+                                    : fmt::format("{} | {} samples", change.samplesThere, change.samples);
     return {fmt::format("{} pixels wrong ({:.2f} %), light {:+.1f} %", countText(change.wrong),
                         percent(change.wrong, change.pixels), light),
-            fmt::format("{:.2f} s | {:.2f} s, {:.1f} | {:.1f} Mrays, {} sample{}", change.secondsThere,
-                        change.secondsHere, millions(change.there), millions(change.here), change.samples,
-                        change.samples == 1 ? "" : "s")};
+            fmt::format("{:.2f} s | {:.2f} s, {:.1f} | {:.1f} Mrays, {}", change.secondsThere,
+                        change.secondsHere, millions(change.there), millions(change.here), samples)};
 }
 
 void CompareView::refresh(const Viewer& viewer) {
@@ -140,7 +154,11 @@ void CompareView::splitLine(const Widgets& ui, ImVec2 corner, ImVec2 size) const
         list.AddTriangleFilled({tip, middle}, {base, middle - side * arm}, {base, middle + side * arm},
                                black);
     }
-    const SideNames names = sideNames(ui.viewer.document());
+    SideNames names = sideNames(ui.viewer.document());
+    if (const auto& change = ui.viewer.comparison().change(); change && change->secondsThere > 0) {
+        names.other += fmt::format("\n{}", costText(change->samplesThere, change->secondsThere));
+        names.own += fmt::format("\n{}", costText(change->samples, change->secondsHere));
+    }
     const float margin = 8 * ui.scale;
     label(ui, names.other, {x - margin, corner.y + margin}, true);
     label(ui, names.own, {x + margin, corner.y + margin}, false);

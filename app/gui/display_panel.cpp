@@ -36,6 +36,8 @@ void displayPanel(const Widgets& ui) {
     ui.number("Exposure", "exposure", -8, 8, "%+.1f EV");
     ui.choice("Tone mapping", "tonemap", kToneMapNames, kToneMapLabels);
     ui.integer("Samples", "samples", 1, 4096, true);
+    ui.number("Error", "error", 0, 0.1F, "%.4f", true);
+    ui.flag("Adaptive: samples where the noise is", "adaptive");
     ui.choice("Accelerator", "accel", kAccelNames, kAccelLabels);
 }
 

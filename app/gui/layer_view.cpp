@@ -45,20 +45,21 @@ std::vector<double> logarithmicTicks(const LayerRange& range) {
 }
 
 void LayerView::refresh(const Viewer& viewer) {
-    const auto& film = viewer.layers().film();
-    if (!film) {
-        film_ = nullptr;
-        return;
-    }
-    const DisplaySettings settings = shownDisplay(viewer.document().render);
-    const bool same = film == film_ && film->passes() == image_.samples && settings == display_;
-    if (same) return;
-    film_ = film;
-    display_ = settings;
-    image_ = film->image(0);
+    const bool counts = shownLayer(viewer.document()).quantity == Quantity::Samples;
+    const RenderSession& session = viewer.session();
+    const std::shared_ptr<const LayerFilm> film = counts ? nullptr : viewer.layers().film();
+    const std::optional<FilmPixel> counted = counts ? session.pixel(0, 0) : std::nullopt;
+    const Shown now{film, counted ? counted->film : 0, film ? film->passes() : session.status().samples,
+                    shownDisplay(viewer.document().render)};
+    if (now == shown_) return;
+    std::optional<LayerImage> image = viewer.layerImage();
+    showing_ = image.has_value();
+    if (!image) return;
+    shown_ = now;
+    image_ = *std::move(image);
     const Quantity quantity = image_.layer.quantity;
     range_ = hasRange(quantity) ? rangeOf(image_) : LayerRange{};
-    texture_.upload(displayLayer(image_, range_, settings));
+    texture_.upload(displayLayer(image_, range_, now.display));
     if (quantity == Quantity::Object) countObjects();
 }
 
@@ -92,7 +93,10 @@ void LayerView::legend(const Widgets& ui, const LegendPlace& place) const {
         const Quantity quantity = image_.layer.quantity;
         ImGui::TextUnformatted(image_.layer.name.c_str());
         ImGui::SameLine();
-        ImGui::TextDisabled("%d of %d samples", image_.samples, ui.viewer.layers().samplesInAll());
+        if (quantity == Quantity::Samples)
+            ImGui::TextDisabled("%.1f a pixel on average", ui.viewer.status().samplesPerPixel);
+        else
+            ImGui::TextDisabled("%d of %d samples", image_.samples, ui.viewer.layers().samplesInAll());
         ImGui::TextWrapped("%s", aboutLayer(image_.layer).c_str());
         if (hasRange(quantity)) colorBar(std::min(ImGui::GetFontSize() * 22, place.width * 0.7F));
         if (quantity == Quantity::Object) objects(*ui.viewer.document().scene, place.height);
@@ -125,8 +129,7 @@ void LayerView::colorBar(float width) const {
     const ImU32 ink = ImGui::GetColorU32(ImGuiCol_Text);
     list.AddRect({left - 1, start.y - 1}, {left + static_cast<float>(steps) + 1, start.y + letter + 1},
                  ImGui::GetColorU32(ImGuiCol_TextDisabled));
-    const bool depth = quantity == Quantity::Depth;
-    for (const double tick : depth ? logarithmicTicks(range_) : linearTicks(range_)) {
+    for (const double tick : isLogarithmic(quantity) ? logarithmicTicks(range_) : linearTicks(range_)) {
         const float x = left + static_cast<float>(placeIn(range_, quantity, tick)) * length;
         const std::string text = fmt::format("{:.4g}", tick);
         list.AddLine({x, start.y + letter}, {x, start.y + 1.3F * letter}, ink);

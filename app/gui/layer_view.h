@@ -18,7 +18,7 @@ public:
     void refresh(const Viewer&);
 
     /// False as long as there is nothing of it.
-    bool showing() const { return film_ != nullptr; }
+    bool showing() const { return showing_; }
     const GlTexture& texture() const { return texture_; }
 
     /// What it has at a place of the picture, both as shares of the picture's sides: "visits: 57 nodes".
@@ -33,10 +33,18 @@ private:
     void colorBar(float width) const;
 
     GlTexture texture_;
-    std::shared_ptr<const LayerFilm> film_; // that the rest was made of
+    /// What the rest was made of.
+    struct Shown {
+        std::shared_ptr<const LayerFilm> film;
+        std::uint64_t counted = 0; // film whose samples are counted, where that is the layer
+        int samples = 0;
+        DisplaySettings display;
+        friend bool operator==(const Shown&, const Shown&) = default;
+    };
+    Shown shown_;
+    bool showing_ = false;
     LayerImage image_;
     LayerRange range_;
-    DisplaySettings display_;
     std::vector<int> objects_; // of an id layer, largest in the picture first
 };
 

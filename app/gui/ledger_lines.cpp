@@ -81,7 +81,7 @@ private:
     }
 
     void mean() {
-        const int samples = study_.mean().samples(), passes = study_.film().passes;
+        const int samples = study_.mean().samples(), passes = study_.film().samples;
         if (samples == 0) return;
         Remark remark;
         if (samples == passes)

@@ -45,6 +45,8 @@ void statusBar(const Widgets& ui) {
     ui.mark("progress");
     std::string text = fmt::format("{:.1f} s   {:.2f} Mrays/s   depth {}   {} threads", status.seconds,
                                    status.mraysPerSecond(), status.counts.deepest, status.threads);
+    const bool uneven = stop.adaptive && status.samples > 0 && status.samplesPerPixel < 0.99 * status.samples;
+    if (uneven) text += fmt::format("   {:.1f} samples a pixel", status.samplesPerPixel);
     if (status.estimatedError >= 0) text += fmt::format("   error ±{:.2f}/255", status.estimatedError * 255);
     ImGui::SameLine();
     ImGui::AlignTextToFramePadding();

@@ -84,14 +84,28 @@ bool ChartRecording::update(const RenderSession& session) {
     if (session.status().samples != before.samples || picture.width() != width_ ||
         picture.height() != height_)
         return false; // a pass has ended meanwhile: the next frame will do
-    if (lastSamples_ > 0) {
-        const double a = lastSamples_, b = before.samples;
+    ColorImage counts = session.sampleCounts();
+    if (lastSamples_ > 0)
         curves_.back().points.push_back(
-            {before.samples, before.seconds, rmse(picture, last_) * std::sqrt(a / (b - a)), small(picture)});
-    }
+            {before.samples, before.seconds, estimatedError(picture, counts), small(picture)});
     last_ = std::move(picture);
+    lastCounts_ = std::move(counts);
     lastSamples_ = before.samples;
     return true;
+}
+
+/// Root mean square over the picture, channels averaged. A pixel that has had no samples since the point
+/// before keeps its error.
+double ChartRecording::estimatedError(const ColorImage& picture, const ColorImage& counts) {
+    squaredErrors_.resize(picture.values().size());
+    double sum = 0;
+    for (std::size_t i = 0; i < squaredErrors_.size(); ++i) {
+        const double a = lastCounts_.values()[i].x, b = counts.values()[i].x;
+        const DVec3 step = DVec3(picture.values()[i]) - DVec3(last_.values()[i]);
+        if (b > a) squaredErrors_[i] = dot(step, step) / 3 * a / (b - a);
+        sum += squaredErrors_[i];
+    }
+    return std::sqrt(sum / static_cast<double>(squaredErrors_.size()));
 }
 
 void ChartRecording::clear() {

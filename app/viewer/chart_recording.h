@@ -49,8 +49,8 @@ public:
     void begin(const Document& original, const Document& now, int width, int height);
 
     /// Takes a point whenever the number of samples has doubled, if recording is on; true for a new one. How
-    /// far a picture b lies from its own earlier state a tells its error: of independent samples the variance
-    /// of b − a is (b − a)/a times that of b.
+    /// far a pixel of b samples lies from its own earlier state of a samples tells its error: of independent
+    /// samples the variance of the step is (b − a)/a times that of the mean of b.
     bool update(const RenderSession&);
 
     /// Ends all curves, for another scene is there.
@@ -79,11 +79,13 @@ public:
 
 private:
     int freeColor() const;
+    double estimatedError(const ColorImage& picture, const ColorImage& counts);
 
     bool on_ = false;
     int width_ = 0, height_ = 0;
     std::vector<RecordedCurve> curves_;
-    ColorImage last_; // the picture of the point before
+    ColorImage last_, lastCounts_;      // the picture of the point before, and its samples
+    std::vector<double> squaredErrors_; // of each pixel, as last estimated
     int lastSamples_ = 0;
     std::optional<ChartReference> reference_;
 };

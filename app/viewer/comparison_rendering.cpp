@@ -9,6 +9,7 @@ namespace {
 
 constexpr int kEvenStep = 8; // from it on; where a RenderSession looks at its error too
 constexpr int kNeverBySamples = 1 << 30;
+constexpr double kFirstSeconds = 0.25, kSecondsGrowth = 1.5;
 
 int following(int samples) { return samples < kEvenStep ? 2 * samples : samples + kEvenStep; }
 
@@ -67,13 +68,18 @@ void compare(PictureChange& change, const ColorImage& ours, const DisplaySetting
 }
 
 void ComparisonRendering::start(std::shared_ptr<const World> world, const Camera& camera,
-                                RenderSettings settings, int threads, int mostSamples, RenderSession& here) {
+                                RenderSettings settings, int threads, ComparedShare share,
+                                RenderSession& here) {
     if (!session_ || threads_ != threads) session_ = std::make_unique<RenderSession>(threads);
     threads_ = threads;
     still_ = nullptr;
     setPaused(paused_);
-    begin(here, mostSamples);
-    settings.stop = {.samples = kNeverBySamples, .seconds = 0, .error = 0}; // this side says when to stop
+    begin(here, share);
+    const bool adaptive = share.equal == EqualShare::Seconds && settings.stop.adaptive;
+    settings.stop = {.samples = kNeverBySamples, // this side says when to stop
+                     .seconds = 0,
+                     .error = adaptive ? settings.stop.error : 0,
+                     .adaptive = adaptive};
     session_->start(std::move(world), camera, settings);
 }
 
@@ -81,15 +87,16 @@ void ComparisonRendering::start(std::shared_ptr<const ColorImage> still, int mos
                                 RenderSession& here) {
     if (session_) session_->stop();
     still_ = std::move(still);
-    begin(here, mostSamples);
+    begin(here, {EqualShare::Samples, mostSamples});
 }
 
-void ComparisonRendering::begin(RenderSession& here, int mostSamples) {
-    mostSamples_ = mostSamples;
+void ComparisonRendering::begin(RenderSession& here, ComparedShare share) {
+    share_ = share;
     active_ = true;
     measuring_.cancel();
     change_.reset();
-    hold(here, 1);
+    nextSeconds_ = kFirstSeconds;
+    hold(here, share.equal == EqualShare::Samples ? 1 : 0);
 }
 
 void ComparisonRendering::stop(RenderSession& here) {
@@ -116,25 +123,51 @@ bool ComparisonRendering::otherReady() const { return still_ || session_->status
 
 bool ComparisonRendering::update(RenderSession& here, const DisplaySettings& display,
                                  const DisplaySettings& otherDisplay) {
+    asked_ = {display, otherDisplay};
+    if (!active_ && !(change_ && asked_ != compared_)) return false;
+    return share_.equal == EqualShare::Samples ? updateBySamples(here) : updateBySeconds(here);
+}
+
+bool ComparisonRendering::updateBySamples(RenderSession& here) {
     const RenderStatus ours = here.status();
-    const bool shownOtherwise = change_ && (display != display_ || otherDisplay != otherDisplay_);
-    if (!active_ && !(shownOtherwise && ours.samples == target_ && otherReady())) return false;
+    const bool together = ours.samples == target_ && otherReady();
+    if (!active_ && !together) return false;
     active_ = true;
     const bool finished = ours.phase == RenderStatus::Phase::Finished;
     if (auto measured = measuring_.take()) {
         change_ = std::make_shared<const PictureChange>(std::move(*measured));
-        active_ = !finished && target_ < mostSamples_;
-        if (active_) hold(here, std::min(following(target_), mostSamples_));
+        active_ = !finished && target_ < share_.most;
+        if (active_) hold(here, std::min(following(target_), share_.most));
         if (!active_) here.holdAt(0);
         return true;
     }
     if (finished && ours.samples < target_) hold(here, ours.samples); // its time was up
     if (still_ && ours.samples > target_) hold(here, ours.samples);   // it had begun before
-    if (ours.samples == target_ && otherReady()) {
-        if (!measuring_.running() && !measure(here, display, otherDisplay)) stop(here);
+    if (together) {
+        if (!measuring_.running() && !measure(here)) stop(here);
         return false;
     }
     active_ = ours.phase != RenderStatus::Phase::Failed && !otherIsLost(ours);
+    return false;
+}
+
+bool ComparisonRendering::updateBySeconds(RenderSession& here) {
+    using Phase = RenderStatus::Phase;
+    const RenderStatus ours = here.status(), theirs = session_->status();
+    const bool oursEnded = ours.phase == Phase::Finished, theirsEnded = theirs.phase == Phase::Finished;
+    const bool last = oursEnded && (theirsEnded || theirs.seconds >= ours.seconds);
+    if (last && !theirsEnded) session_->holdAt(theirs.samples);
+    if (auto measured = measuring_.take()) {
+        change_ = std::make_shared<const PictureChange>(std::move(*measured));
+        active_ = !last || change_->samples < ours.samples || change_->samplesThere < theirs.samples;
+        return true;
+    }
+    active_ = ours.phase != Phase::Failed && theirs.phase != Phase::Failed;
+    if (!active_ || measuring_.running() || ours.samples < 1 || theirs.samples < 1) return false;
+    const double seconds = theirsEnded ? ours.seconds : std::min(ours.seconds, theirs.seconds);
+    if (!last && seconds < nextSeconds_) return false;
+    nextSeconds_ = kSecondsGrowth * seconds;
+    if (!measure(here)) stop(here);
     return false;
 }
 
@@ -146,27 +179,27 @@ bool ComparisonRendering::otherIsLost(const RenderStatus& ours) const {
     return apart || theirs.phase == RenderStatus::Phase::Failed;
 }
 
-/// Takes both pictures as they are while they are held, and compares them in the background. False if they
-/// have not the same size: the still one is then of the window before, and another will come.
-bool ComparisonRendering::measure(const RenderSession& here, const DisplaySettings& display,
-                                  const DisplaySettings& otherDisplay) {
-    ColorImage ours = here.image(), theirs = still_ ? *still_ : session_->image();
-    if (ours.width() != theirs.width() || ours.height() != theirs.height()) return false;
-    display_ = display;
-    otherDisplay_ = otherDisplay;
+/// Takes both pictures by their whole passes, and compares them in the background; not yet, if a pass of
+/// either ends meanwhile. False if they have not the same size: the still one is then of the window before,
+/// and another will come.
+bool ComparisonRendering::measure(const RenderSession& here) {
+    const RenderStatus ours = here.status(), theirs = still_ ? RenderStatus{} : session_->status();
+    ColorImage own = here.image(), other = still_ ? *still_ : session_->image();
+    if (own.width() != other.width() || own.height() != other.height()) return false;
+    const bool moved =
+        here.status().samples != ours.samples || (!still_ && session_->status().samples != theirs.samples);
+    if (moved) return true;
+    compared_ = asked_;
     PictureChange change;
-    change.samples = target_;
-    const RenderStatus ownStatus = here.status();
-    change.here = ownStatus.counts;
-    change.secondsHere = ownStatus.seconds;
-    if (!still_) {
-        const RenderStatus otherStatus = session_->status();
-        change.there = otherStatus.counts;
-        change.secondsThere = otherStatus.seconds;
-    }
-    measuring_.start([change, ours = std::move(ours), theirs = std::move(theirs), display,
-                      otherDisplay](const std::stop_token&) mutable {
-        compare(change, ours, display, theirs, otherDisplay);
+    change.samples = ours.samples;
+    change.samplesThere = still_ ? ours.samples : theirs.samples;
+    change.here = ours.counts;
+    change.there = theirs.counts;
+    change.secondsHere = ours.seconds;
+    change.secondsThere = theirs.seconds;
+    measuring_.start([change, own = std::move(own), other = std::move(other),
+                      displays = asked_](const std::stop_token&) mutable {
+        compare(change, own, displays.here, other, displays.there);
         return std::move(change);
     });
     return true;

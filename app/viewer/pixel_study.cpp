@@ -58,11 +58,11 @@ bool PixelStudy::average(const RenderSession& session, const PixelPosition& pixe
     const auto now = session.pixel(pixel.x, pixel.y);
     if (!now) return false;
     if (now->film != film_.film || pixel != averaged_) mean_ = {};
-    const bool fresh = now->film != film_.film || pixel != averaged_ || now->passes != film_.passes;
+    const bool fresh = now->film != film_.film || pixel != averaged_ || now->samples != film_.samples;
     film_ = *now;
     averaged_ = pixel;
     const int before = mean_.samples();
-    for (std::size_t rays = 0; mean_.samples() < film_.passes && rays < kRaysAtATime;) {
+    for (std::size_t rays = 0; mean_.samples() < film_.samples && rays < kRaysAtATime;) {
         const auto trace = session.retrace(pixel.x, pixel.y, mean_.samples());
         if (!trace) break;
         mean_.add(trace->radiance);

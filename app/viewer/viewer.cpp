@@ -257,6 +257,8 @@ bool Viewer::startRendering() {
     renderedCamera_ = document().camera;
     startComparison(settings, samePlace && rendered_ ? switchedKind(*rendered_, settings) : std::nullopt);
     rendered_ = settings;
+    // side by side with as many samples, each pixel has as many
+    if (compared_ && compared_->equal == EqualShare::Samples) settings.stop.adaptive = false;
     session_->start(world_, document().camera, settings);
     recording_.begin(history_->original(), document(), width_, height_);
     picked_.reset();

@@ -44,6 +44,7 @@ struct Notice {
 struct OtherPicture {
     Camera camera;
     RenderSettings settings;
+    EqualShare equal;
     friend bool operator==(const OtherPicture&, const OtherPicture&) = default;
 };
 
@@ -89,6 +90,7 @@ public:
     /// What the picture that is shown, and hence the picked sample, is of: after an edit the former World for
     /// a moment. Null if there is no picture.
     std::shared_ptr<const World> shownWorld() const { return session_->shownWorld(); }
+    const RenderSession& session() const { return *session_; }
     RenderStatus status() const { return session_->status(); }
     bool paused() const { return paused_; }
     const std::optional<PickedSample>& picked() const { return picked_; }
@@ -102,6 +104,9 @@ public:
     /// The picked sample's ledger and tree, as they are looked at. Valid while there is a picked sample.
     const PixelStudy& study() const { return study_; }
     const LayerRendering& layers() const { return layers_; }
+    /// The layer shown, as it stands: samples are those of the picture itself. Nothing as long as there is
+    /// none.
+    std::optional<LayerImage> layerImage() const;
     const ComparisonRendering& comparison() const { return comparison_; }
     const BugNaming& naming() const { return naming_; }
     const NeedsMeasuring& needs() const { return needs_; }

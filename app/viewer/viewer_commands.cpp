@@ -51,9 +51,9 @@ void savePicture(Viewer& viewer, const fs::path& file) {
 }
 
 void saveLayer(Viewer& viewer, const fs::path& file) {
-    const auto& film = viewer.layers().film();
-    if (!film) throw InputError(file.string(), "the layer is not there yet", "wait a moment");
-    writeLayer(file, film->image(0), shownDisplay(viewer.document().render), viewer.pictureState());
+    const std::optional<LayerImage> image = viewer.layerImage();
+    if (!image) throw InputError(file.string(), "the layer is not there yet", "wait a moment");
+    writeLayer(file, *image, shownDisplay(viewer.document().render), viewer.pictureState());
 }
 
 /// What is shown: the picture, or the layer of it.

@@ -15,7 +15,8 @@ constexpr int kLayerSamples = 16; // smooth edges; more would show little more
 
 bool Viewer::updateLayer() {
     const Layer layer = shownLayer(document());
-    if (layer.quantity == Quantity::Picture || !rendered_) {
+    const bool hasTracing = layer.quantity != Quantity::Picture && layer.quantity != Quantity::Samples;
+    if (!hasTracing || !rendered_) {
         layers_.clear();
         return false;
     }
@@ -29,6 +30,15 @@ bool Viewer::updateLayer() {
         report(Notice::Kind::Error, error.what());
         return true;
     }
+}
+
+std::optional<LayerImage> Viewer::layerImage() const {
+    const Layer layer = shownLayer(document());
+    if (layer.quantity != Quantity::Samples)
+        return layers_.film() ? std::optional(layers_.film()->image(0)) : std::nullopt;
+    ColorImage counts = session_->sampleCounts();
+    if (counts.empty()) return std::nullopt;
+    return LayerImage{layer, session_->status().samples, std::move(counts)};
 }
 
 bool Viewer::updatePhotons() {
@@ -91,7 +101,7 @@ std::optional<OtherPicture> Viewer::otherPicture() const {
     const Comparison& comparison = document().comparison;
     if (!comparison.on || comparison.isRasterised()) return std::nullopt;
     const Document other = otherSide(document());
-    OtherPicture picture{other.camera, other.render};
+    OtherPicture picture{other.camera, other.render, comparison.equal};
     picture.settings.width = width_;
     picture.settings.height = height_;
     picture.settings.display = {}; // how it is displayed changes nothing of the tracing
@@ -103,11 +113,12 @@ void Viewer::startComparison(const RenderSettings& now, const std::optional<std:
         comparison_.start(rasterised_, now.stop.samples, *session_);
     } else if (compared_) {
         lastSwitch_.clear();
-        comparison_.start(world_, compared_->camera, compared_->settings, sessionThreads_, now.stop.samples,
-                          *session_);
+        comparison_.start(world_, compared_->camera, compared_->settings, sessionThreads_,
+                          {compared_->equal, now.stop.samples}, *session_);
     } else if (switched) {
         lastSwitch_ = *switched;
-        comparison_.start(world_, renderedCamera_, *rendered_, sessionThreads_, 1, *session_);
+        comparison_.start(world_, renderedCamera_, *rendered_, sessionThreads_, {EqualShare::Samples, 1},
+                          *session_);
     } else {
         comparison_.stop(*session_);
     }

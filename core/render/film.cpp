@@ -8,6 +8,8 @@
 namespace eyeray {
 namespace {
 
+constexpr double kLargestVariance = 1e4; // in sums with larger ones, small ones would drown
+
 /// The sum of `count` samples whose mean is a multiple of 1/255.
 DVec3 roundedMean(const DVec3& sum, int count) {
     constexpr double kCodes = 255;
@@ -28,6 +30,7 @@ Film::Film(int width, int height) : width_(width), height_(height), id_(nextFilm
         const auto count = static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
         for (auto& sum : sums_) sum = std::make_unique_for_overwrite<DVec3[]>(count);
         for (auto& square : squares_) square = std::make_unique_for_overwrite<double[]>(count);
+        limits_ = std::make_unique_for_overwrite<int[]>(count);
         shown_ = ColorImage(width, height, Color(0));
     } catch (const std::bad_alloc&) {
         throw Failure(fmt::format("picture of {}x{}", width, height), "there is not enough memory",
@@ -42,6 +45,7 @@ void Film::reset(bool eightBit) {
     eightBit_ = eightBit;
     for (TileState& state : tiles_) {
         state.passes = 0;
+        state.leastLimit = state.mostLimit = kNoLimit;
         ++state.version;
     }
     std::fill(shown_.values().begin(), shown_.values().end(), Color(0));
@@ -53,9 +57,52 @@ int Film::passes(int tileIndex) const {
     return tiles_[static_cast<std::size_t>(tileIndex)].passes;
 }
 
+void Film::limit(std::span<const int> samples) {
+    ENSURE(samples.size() == shown_.values().size());
+    for (int i = 0; i < tiles(); ++i) {
+        const std::scoped_lock lock(mutexOf(i));
+        TileState& state = tiles_[static_cast<std::size_t>(i)];
+        state.leastLimit = kNoLimit;
+        state.mostLimit = 0;
+        for (int y = state.area.y0; y < state.area.y1; ++y)
+            for (int x = state.area.x0; x < state.area.x1; ++x) {
+                const std::size_t pixel = index(x, y);
+                limits_[pixel] = samples[pixel];
+                state.leastLimit = std::min(state.leastLimit, samples[pixel]);
+                state.mostLimit = std::max(state.mostLimit, samples[pixel]);
+            }
+    }
+}
+
+bool Film::ended(int passes) const {
+    return std::ranges::all_of(tiles_, [&](const TileState& tile) { return tile.mostLimit <= passes; });
+}
+
+std::vector<std::uint8_t> Film::wanted(int tileIndex, int pass) const {
+    const std::scoped_lock lock(mutexOf(tileIndex));
+    const TileState& state = tiles_[static_cast<std::size_t>(tileIndex)];
+    std::vector<std::uint8_t> wanted;
+    if (state.leastLimit > pass) return wanted;
+    for (int y = state.area.y0; y < state.area.y1; ++y)
+        for (int x = state.area.x0; x < state.area.x1; ++x)
+            wanted.push_back(limits_[index(x, y)] > pass ? 1 : 0);
+    return wanted;
+}
+
 void Film::add(int tileIndex, const TileResult& result, int pass) {
     TileState& state = tiles_[static_cast<std::size_t>(tileIndex)];
     const std::scoped_lock lock(mutexOf(tileIndex));
+    state.passes = pass + 1;
+    if (state.mostLimit < pass) return; // both sums hold all that there will be
+    if (state.leastLimit > pass)
+        addAll(state, result, pass);
+    else
+        addWanted(state, result, pass);
+    if (eightBit_) roundMeans(state, pass);
+    ++state.version;
+}
+
+void Film::addAll(const TileState& state, const TileResult& result, int pass) {
     const auto now = static_cast<std::size_t>(pass & 1), before = now ^ 1U;
     std::size_t next = 0;
     for (int y = state.area.y0; y < state.area.y1; ++y)
@@ -67,16 +114,32 @@ void Film::add(int tileIndex, const TileResult& result, int pass) {
             squares_[now][i] = pass == 0 ? luma * luma : squares_[before][i] + luma * luma;
             shown_.at(x, y) = Color(sums_[now][i] / static_cast<double>(pass + 1));
         }
-    if (eightBit_) roundMeans(state.area, now, pass + 1);
-    state.passes = pass + 1;
-    ++state.version;
 }
 
-// Apart from the sums: a branch among them makes them take four times as long.
-void Film::roundMeans(const Tile& area, std::size_t now, int count) {
-    for (int y = area.y0; y < area.y1; ++y)
-        for (int x = area.x0; x < area.x1; ++x) {
+// Apart from the others, as the rounding below: a branch among the sums makes them take four times as long.
+void Film::addWanted(const TileState& state, const TileResult& result, int pass) {
+    const auto now = static_cast<std::size_t>(pass & 1), before = now ^ 1U;
+    std::size_t next = 0;
+    for (int y = state.area.y0; y < state.area.y1; ++y)
+        for (int x = state.area.x0; x < state.area.x1; ++x) {
+            const std::size_t i = index(x, y);
+            sums_[now][i] = sums_[before][i];
+            squares_[now][i] = squares_[before][i];
+            if (limits_[i] <= pass) continue;
+            const Color& sample = result.radiance[next++];
+            const double luma = luminance(DVec3(sample));
+            sums_[now][i] += DVec3(sample);
+            squares_[now][i] += luma * luma;
+            shown_.at(x, y) = Color(sums_[now][i] / static_cast<double>(pass + 1));
+        }
+}
+
+void Film::roundMeans(const TileState& state, int pass) {
+    const auto now = static_cast<std::size_t>(pass & 1);
+    for (int y = state.area.y0; y < state.area.y1; ++y)
+        for (int x = state.area.x0; x < state.area.x1; ++x) {
             DVec3& sum = sums_[now][index(x, y)];
+            const int count = samplesOf(state, index(x, y), pass + 1);
             sum = roundedMean(sum, count);
             shown_.at(x, y) = Color(sum / static_cast<double>(count));
         }
@@ -122,31 +185,60 @@ std::vector<int> Film::read(Picture& picture) const {
 FilmPixel Film::pixel(int x, int y) const {
     const int tile = y / kTileSize * ((width_ + kTileSize - 1) / kTileSize) + x / kTileSize;
     const std::scoped_lock lock(mutexOf(tile));
-    return {shown_.at(x, y), tiles_[static_cast<std::size_t>(tile)].passes, id_};
+    const TileState& state = tiles_[static_cast<std::size_t>(tile)];
+    return {shown_.at(x, y), samplesOf(state, index(x, y), state.passes), id_};
+}
+
+std::vector<int> Film::samples(int passes) const {
+    std::vector<int> samples(shown_.values().size());
+    for (const TileState& state : tiles_)
+        for (int y = state.area.y0; y < state.area.y1; ++y)
+            for (int x = state.area.x0; x < state.area.x1; ++x)
+                samples[index(x, y)] = samplesOf(state, index(x, y), passes);
+    return samples;
 }
 
 ColorImage Film::mean(int passes) const {
     ENSURE(passes >= 1);
     ColorImage result(width_, height_);
     const auto& sum = sums_[static_cast<std::size_t>((passes - 1) & 1)];
+    const std::vector<int> count = samples(passes);
     for (std::size_t i = 0; i < result.values().size(); ++i)
-        result.values()[i] = Color(sum[i] / static_cast<double>(passes));
+        result.values()[i] = Color(sum[i] / static_cast<double>(count[i]));
     return result;
+}
+
+Film::Estimate Film::estimate(std::size_t pixel, int samples, std::size_t last) const {
+    const double n = samples, mean = luminance(sums_[last][pixel] / n);
+    const double variance = (squares_[last][pixel] / n - mean * mean) / (n - 1);
+    return {mean, variance > 1e-12 * mean * mean ? variance : 0}; // below it is rounding
+}
+
+std::vector<double> Film::displayedVariances(int passes, const DisplaySettings& settings) const {
+    ENSURE(passes >= 2);
+    const std::vector<int> count = samples(passes);
+    std::vector<double> variances(count.size());
+    for (std::size_t i = 0; i < count.size(); ++i) {
+        const auto [mean, variance] = estimate(i, count[i], static_cast<std::size_t>((passes - 1) & 1));
+        if (variance == 0) continue;
+        const double darkest = std::max(0.0, mean - 2 * std::sqrt(variance));
+        const double slope = displaySlope(static_cast<float>(darkest), settings);
+        variances[i] = std::min(count[i] * variance * slope * slope, kLargestVariance);
+    }
+    return variances;
 }
 
 double Film::estimatedError(int passes, const DisplaySettings& settings) const {
     ENSURE(passes >= 2);
-    const auto last = static_cast<std::size_t>((passes - 1) & 1);
-    const double n = passes;
     double largest = 0;
     for (const TileState& state : tiles_) {
         double squared = 0;
         for (int y = state.area.y0; y < state.area.y1; ++y)
             for (int x = state.area.x0; x < state.area.x1; ++x) {
                 const std::size_t i = index(x, y);
-                const double mean = luminance(sums_[last][i] / n);
-                const double variance = std::max(0.0, (squares_[last][i] / n - mean * mean) / (n - 1));
-                if (variance <= 1e-12 * mean * mean) continue;
+                const auto [mean, variance] =
+                    estimate(i, samplesOf(state, i, passes), static_cast<std::size_t>((passes - 1) & 1));
+                if (variance == 0) continue;
                 const double slope = displaySlope(static_cast<float>(mean), settings);
                 squared += variance * slope * slope;
             }

@@ -3,8 +3,10 @@
 
 #include <array>
 #include <atomic>
+#include <limits>
 #include <memory>
 #include <mutex>
+#include <span>
 #include <vector>
 
 #include "core/image/pixels.h"
@@ -24,13 +26,14 @@ struct Picture {
 
 /// One pixel of a film.
 struct FilmPixel {
-    Color mean{0};          // over its passes; the coarse preview before the first
-    int passes = 0;         // that its tile has had
+    Color mean{0};          // over its samples; the coarse preview before the first
+    int samples = 0;        // that it has had
     std::uint64_t film = 0; // Film::id
 };
 
 /// Two sums per pixel, for passes of even and odd number: the sum over whole passes stays readable while the
-/// next pass is written. All functions are thread-safe unless they say otherwise.
+/// next pass is written. A pixel takes part in every pass until its limit. All functions are thread-safe
+/// unless they say otherwise.
 class Film {
 public:
     /// Throws Failure if there is no memory for it.
@@ -49,8 +52,18 @@ public:
     /// Passes that a tile has had.
     int passes(int tileIndex) const;
 
-    /// Adds a tile's samples of pass number `pass` (counted from 0 in this film) to the sums of the pass
-    /// before.
+    /// Sets how many samples each pixel, row by row, is to have; without, there is no end. A pixel that has
+    /// reached its limit keeps it. To be called between passes.
+    void limit(std::span<const int> samples);
+
+    /// Whether every pixel has reached its limit after so many passes.
+    bool ended(int passes) const;
+
+    /// Which pixels of a tile take part in a pass: Tile::wanted.
+    std::vector<std::uint8_t> wanted(int tileIndex, int pass) const;
+
+    /// Adds the samples that a tile's wanted pixels have in pass number `pass` (counted from 0 in this film)
+    /// to the sums of the pass before.
     void add(int tileIndex, const TileResult&, int pass);
 
     /// Shows a coarse result in a tile until its first pass is there.
@@ -61,22 +74,42 @@ public:
 
     FilmPixel pixel(int x, int y) const;
 
-    /// Mean over the first `passes` passes, which must be the last or the one before the last that is
-    /// complete. To be called between passes.
+    // To be called between passes. `passes` must be the last pass or the one before it that is complete.
+
+    /// Mean over the samples of the first `passes` passes.
     ColorImage mean(int passes) const;
 
+    /// How many samples each pixel, row by row, has after `passes`.
+    std::vector<int> samples(int passes) const;
+
+    /// Variance of one sample of each pixel, row by row, as far as a display (0 to 1) may show it: the slope
+    /// is that of the darkest radiance that the mean's own error leaves likely, so that noise about a mean
+    /// beyond white counts. At most 1e4. `passes` ≥ 2.
+    std::vector<double> displayedVariances(int passes, const DisplaySettings&) const;
+
     /// Standard error of the displayed values (0 to 1) as root mean square over each tile; the largest one.
-    /// To be called between passes. `passes` ≥ 2.
+    /// `passes` ≥ 2.
     double estimatedError(int passes, const DisplaySettings&) const;
 
 private:
+    static constexpr int kNoLimit = std::numeric_limits<int>::max();
     struct TileState {
         Tile area;
         int passes = 0;
         std::uint32_t version = 0;
+        int leastLimit = kNoLimit, mostLimit = kNoLimit; // of its pixels
     };
-    /// Of so many samples, to multiples of 1/255.
-    void roundMeans(const Tile&, std::size_t now, int count);
+    /// Luminance of a pixel: mean, and the variance of the mean.
+    struct Estimate {
+        double mean, variance;
+    };
+    Estimate estimate(std::size_t pixel, int samples, std::size_t last) const;
+    int samplesOf(const TileState& tile, std::size_t pixel, int passes) const {
+        return tile.leastLimit >= passes ? passes : std::min(limits_[pixel], passes);
+    }
+    void addAll(const TileState&, const TileResult&, int pass);
+    void addWanted(const TileState&, const TileResult&, int pass);
+    void roundMeans(const TileState&, int pass);
     std::size_t index(int x, int y) const {
         return static_cast<std::size_t>(y) * static_cast<std::size_t>(width_) + static_cast<std::size_t>(x);
     }
@@ -92,6 +125,7 @@ private:
     // touched.
     std::array<std::unique_ptr<DVec3[]>, 2> sums_;
     std::array<std::unique_ptr<double[]>, 2> squares_; // of luminance, likewise
+    std::unique_ptr<int[]> limits_;                    // of samples; read where a tile has any
     ColorImage shown_;
     std::vector<TileState> tiles_;
     mutable std::array<std::mutex, kMutexes> mutexes_;

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <numeric>
 
+#include "core/render/adaptive.h"
+
 namespace eyeray {
 namespace {
 
@@ -116,6 +118,8 @@ RenderStatus RenderSession::status() const {
     const auto& job = pending_ ? pending_ : (running_ ? running_ : last_);
     if (!job) return {};
     RenderStatus status = job->status;
+    status.samplesPerPixel = static_cast<double>(status.counts[RayKind::Eye]) /
+                             (static_cast<double>(job->settings.width) * job->settings.height);
     status.passProgress = status.phase == Phase::Finished
                               ? 1.0
                               : static_cast<double>(job->tilesDone) / static_cast<double>(job->tilesInAll);
@@ -151,6 +155,21 @@ ColorImage RenderSession::image() const {
     if (!job) return {};
     const std::scoped_lock lock(job->betweenPasses);
     return job->passes > 0 ? job->film->mean(job->passes) : ColorImage{};
+}
+
+ColorImage RenderSession::sampleCounts() const {
+    std::shared_ptr<Job> job;
+    {
+        const std::scoped_lock lock(mutex_);
+        job = shown_;
+    }
+    if (!job) return {};
+    const std::scoped_lock lock(job->betweenPasses);
+    if (job->passes == 0) return {};
+    ColorImage counts(job->settings.width, job->settings.height);
+    std::ranges::transform(job->film->samples(job->passes), counts.values().begin(),
+                           [](int samples) { return Color(static_cast<float>(samples)); });
+    return counts;
 }
 
 /// The job whose picture is shown, if the pixel is in it.
@@ -290,8 +309,11 @@ bool RenderSession::tracePass(Job& job, int pass) {
         const int index = job.order[static_cast<std::size_t>(i)];
         if (before + secondsSince(start) > limit) job.stop.request_stop();
         if (job.film->passes(index) <= pass) {
+            const std::vector<std::uint8_t> wanted = job.film->wanted(index, pass);
+            Tile tile = job.film->tile(index);
+            tile.wanted = wanted;
             const TileResult result =
-                job.integrator->renderTile(context, job.film->tile(index), job.settings.firstPass + pass);
+                job.integrator->renderTile(context, tile, job.settings.firstPass + pass);
             if (!result.complete) return;
             job.film->add(index, result, pass);
             const std::scoped_lock lock(mutex_);
@@ -332,15 +354,30 @@ bool RenderSession::finished(Job& job) {
         return finishedBy(fmt::format("{} sample{}", stop.samples, stop.samples == 1 ? "" : "s"));
     if (passes > 0 && stop.seconds > 0 && job.status.seconds >= stop.seconds)
         return finishedBy(fmt::format("{} s", stop.seconds));
-    if (stop.error <= 0 || passes < kErrorPilot || passes % kErrorInterval != 0) return false;
-    const double error = job.film->estimatedError(passes, job.settings.display);
-    {
-        const std::scoped_lock lock(mutex_);
-        job.status.estimatedError = error;
+    if (!accurate(job)) return false;
+    return finishedBy(std::min(stop.error, job.status.estimatedError) <= kInvisibleError
+                          ? "no visible error left"
+                          : fmt::format("error below {}", stop.error));
+}
+
+/// Whether the error is what is asked; looks at it, and decides where to sample on, between some passes.
+bool RenderSession::accurate(Job& job) {
+    const StopSettings& stop = job.settings.stop;
+    const int passes = job.passes;
+    if (stop.error <= 0 || passes < kAdaptivePilot) return false;
+    const bool decides = stop.adaptive && isAdaptiveStage(passes);
+    if (decides) {
+        const std::scoped_lock between(job.betweenPasses);
+        decideSamples(*job.film, passes, stop.error, job.settings.display);
     }
-    if (error > stop.error) return false;
-    return finishedBy(error <= kInvisibleError ? "no visible error left"
-                                               : fmt::format("error below {}", stop.error));
+    const bool ended = job.film->ended(passes);
+    const bool looks =
+        stop.adaptive ? decides || ended : passes >= kErrorPilot && passes % kErrorInterval == 0;
+    if (!looks) return false;
+    const double error = job.film->estimatedError(passes, job.settings.display);
+    const std::scoped_lock lock(mutex_);
+    job.status.estimatedError = error;
+    return stop.adaptive ? ended : error <= stop.error;
 }
 
 }

@@ -19,7 +19,8 @@ namespace eyeray {
 
 struct RenderStatus {
     enum class Phase : std::uint8_t { Idle, Coarse, Refining, Paused, Finished, Failed } phase = Phase::Idle;
-    int samples = 0;               // whole passes
+    int samples = 0;               // whole passes: the most samples of a pixel
+    double samplesPerPixel = 0;    // on average, with those of the pass under way
     double passProgress = 0;       // of the pass under way, 0 to 1
     double seconds = 0;            // spent tracing this picture, pauses left out
     double secondsToCoarse = 0;    // from start() to a whole coarse picture; 0 until there is one
@@ -77,6 +78,9 @@ public:
     /// Mean of the whole passes; empty if there is none.
     ColorImage image() const;
 
+    /// How many samples each pixel has after the whole passes, in all channels; empty if there is none.
+    ColorImage sampleCounts() const;
+
     /// What the film of the picture shown holds for a pixel. Nothing if there is no picture or the pixel is
     /// outside.
     std::optional<FilmPixel> pixel(int x, int y) const;
@@ -95,6 +99,7 @@ private:
     bool tracePass(Job&, int pass);
     bool waitWhileHeld(Job&);
     bool finished(Job&);
+    bool accurate(Job&);
     std::shared_ptr<Film> freeFilm(int width, int height, bool eightBit);
 
     ThreadPool pool_;

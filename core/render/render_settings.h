@@ -10,9 +10,10 @@ namespace eyeray {
 
 /// Rendering ends at whichever comes first.
 struct StopSettings {
-    int samples = 256;  // per pixel, ≥ 1
-    double seconds = 0; // 0: no limit. At least one pass is kept
-    double error = 0;   // Film::estimatedError below this; 0: not looked at
+    int samples = 256;    // per pixel, ≥ 1
+    double seconds = 0;   // 0: no limit. At least one pass is kept
+    double error = 0;     // standard error of the displayed values below this; 0: not looked at
+    bool adaptive = true; // pixels end one by one, as core/render/adaptive.h says; else all together
 
     friend bool operator==(const StopSettings&, const StopSettings&) = default;
 };

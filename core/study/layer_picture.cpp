@@ -10,7 +10,7 @@ namespace eyeray {
 namespace {
 
 constexpr std::size_t kAboveRange = 200; // one pixel in so many may lie above
-constexpr float kNearest = 1e-6F;        // metres, for a logarithm
+constexpr float kLeast = 1e-6F;          // that a logarithm is taken of
 
 Rgba8 normalColor(const Color& normal) {
     if (isBlack(normal)) return {};
@@ -66,6 +66,8 @@ std::string_view unitOf(Quantity quantity) {
 
 bool hasRange(Quantity quantity) { return !isVector(quantity) && quantity != Quantity::Object; }
 
+bool isLogarithmic(Quantity quantity) { return quantity == Quantity::Depth || quantity == Quantity::Samples; }
+
 LayerRange rangeOf(const LayerImage& image) {
     std::vector<float> values;
     for (const Color& value : image.values.values())
@@ -73,8 +75,8 @@ LayerRange rangeOf(const LayerImage& image) {
     if (values.empty()) return {};
     const Quantity quantity = image.layer.quantity;
     const bool toTheHighest = quantity == Quantity::Recursion || quantity == Quantity::Samples;
-    const auto [nearest, farthest] = std::minmax_element(values.begin(), values.end());
-    LayerRange range{quantity == Quantity::Depth ? std::max(*nearest, kNearest) : 0, *farthest};
+    const auto [lowest, highest] = std::minmax_element(values.begin(), values.end());
+    LayerRange range{isLogarithmic(quantity) ? std::max(*lowest, kLeast) : 0, *highest};
     if (!toTheHighest) {
         const auto most = values.end() - 1 - static_cast<std::ptrdiff_t>(values.size() / kAboveRange);
         std::nth_element(values.begin(), most, values.end());
@@ -86,13 +88,13 @@ LayerRange rangeOf(const LayerImage& image) {
 }
 
 double placeIn(const LayerRange& range, Quantity quantity, double value) {
-    if (quantity == Quantity::Depth)
+    if (isLogarithmic(quantity))
         return std::log(value / range.lowest) / std::log(range.highest / range.lowest);
     return (value - range.lowest) / (range.highest - range.lowest);
 }
 
 double valueAt(const LayerRange& range, Quantity quantity, double place) {
-    if (quantity == Quantity::Depth) return range.lowest * std::pow(range.highest / range.lowest, place);
+    if (isLogarithmic(quantity)) return range.lowest * std::pow(range.highest / range.lowest, place);
     return range.lowest + (range.highest - range.lowest) * place;
 }
 
@@ -142,7 +144,7 @@ std::string aboutLayer(const Layer& layer) {
     case Quantity::Cost:
         return "time to trace a sample";
     case Quantity::Samples:
-        return "samples of a pixel";
+        return "samples of a pixel: adaptive sampling spends them where the noise is";
     case Quantity::Error:
         return "estimated error: standard error of the luminance";
     }
@@ -160,7 +162,8 @@ std::string rangeText(const LayerImage& image, const LayerRange& range) {
     return fmt::format("{}: {} from {} ({}) to {} ({}){}{}", image.layer.name, aboutLayer(image.layer),
                        valueText(quantity, range.lowest), depth ? "white" : "dark blue",
                        valueText(quantity, range.highest), depth ? "dark grey" : "light yellow",
-                       depth ? ", logarithmic" : "", range.cut ? ", a few pixels beyond" : "");
+                       isLogarithmic(quantity) ? ", logarithmic" : "",
+                       range.cut ? ", a few pixels beyond" : "");
 }
 
 std::vector<ImageChannel> channelsOf(const LayerImage& image) {

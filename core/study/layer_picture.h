@@ -18,12 +18,15 @@ struct LayerRange {
 /// True for layers that colours of numbers show: depth, rays, recursion, cost, error and samples.
 bool hasRange(Quantity);
 
-/// Range of a layer that hasRange: from 0, of a depth from the nearest, to what all pixels but one in 200
-/// stay below; of recursion and samples to the highest.
+/// Of which equal steps of the colour are equal ratios: depth, for near the horizon it has no end, and
+/// samples.
+bool isLogarithmic(Quantity);
+
+/// Range of a layer that hasRange: from 0, where it is logarithmic from the lowest, to what all pixels but
+/// one in 200 stay below; of recursion and samples to the highest.
 LayerRange rangeOf(const LayerImage&);
 
-/// Where in the range a value stands, from 0 to 1 in it: linear, of a depth logarithmic, for near the horizon
-/// depth has no end.
+/// Where in the range a value stands, from 0 to 1 in it.
 double placeIn(const LayerRange&, Quantity, double value);
 /// The value at a place, the inverse.
 double valueAt(const LayerRange&, Quantity, double place);

@@ -1,9 +1,11 @@
 #pragma once
 // What every method of image synthesis offers. Each method is one file.
 
+#include <algorithm>
 #include <functional>
 #include <memory>
 #include <optional>
+#include <span>
 
 #include "core/base/math.h"
 #include "core/transport/ray_counts.h"
@@ -17,7 +19,20 @@ namespace eyeray {
 struct Tile {
     int x0 = 0, y0 = 0, x1 = 0, y1 = 0;
     int step = 1;
+    std::span<const std::uint8_t> wanted = {}; // of each pixel, row by row: 0 leaves it out; empty: none is.
+                                               // Only with step 1
 };
+
+/// Calls `each(x, y)` for the pixels of a tile that are traced, row by row.
+template <class Each>
+void eachTraced(const Tile& tile, const Each& each) {
+    const int first = tile.step / 2;
+    std::size_t place = 0;
+    for (int y = tile.y0 + first; y < tile.y1 + first; y += tile.step)
+        for (int x = tile.x0 + first; x < tile.x1 + first; x += tile.step)
+            if (tile.wanted.empty() || tile.wanted[place++] != 0)
+                each(std::min(x, tile.x1 - 1), std::min(y, tile.y1 - 1));
+}
 
 /// One sample for each traced pixel of a tile, row by row.
 struct TileResult {

@@ -61,14 +61,12 @@ private:
 
 bool traceTileByStreams(const TraceContext& context, int pass, TileResult& result) {
     const Tile& tile = result.tile;
-    const int first = tile.step / 2;
     return std::visit(
         [&]<class Index>(const IndexedGeometry<Index>& geometry) {
             TileSamples<Index> samples(context, geometry, result);
-            for (int y = tile.y0 + first; y < tile.y1 + first && !context.stop.stop_requested();
-                 y += tile.step)
-                for (int x = tile.x0 + first; x < tile.x1 + first; x += tile.step)
-                    samples.add(std::min(x, tile.x1 - 1), std::min(y, tile.y1 - 1), pass);
+            eachTraced(tile, [&](int x, int y) {
+                if (!context.stop.stop_requested()) samples.add(x, y, pass);
+            });
             return samples.finish();
         },
         *context.world->accel);

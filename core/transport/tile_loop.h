@@ -34,14 +34,10 @@ public:
         TileResult result{.tile = tile, .radiance = {}, .counts = {}};
         specialised(context, [&]<Features F>(const auto& geometry) {
             NoRecorder recorder;
-            const int first = tile.step / 2;
-            for (int y = tile.y0 + first; y < tile.y1 + first; y += tile.step)
-                for (int x = tile.x0 + first; x < tile.x1 + first; x += tile.step) {
-                    if (context.stop.stop_requested()) return;
-                    const int px = std::min(x, tile.x1 - 1), py = std::min(y, tile.y1 - 1);
-                    result.radiance.push_back(
-                        sample<F>(context, geometry, result.counts, recorder, px, py, pass));
-                }
+            eachTraced(tile, [&](int x, int y) {
+                if (context.stop.stop_requested()) return;
+                result.radiance.push_back(sample<F>(context, geometry, result.counts, recorder, x, y, pass));
+            });
             result.complete = !context.stop.stop_requested();
         });
         return result;
