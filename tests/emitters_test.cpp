@@ -83,6 +83,40 @@ TEST(SphericalRectangle, SamplesBySolidAngleAsByArea) {
         }
 }
 
+SphericalDisc discAbove(double radius, double height, bool byArea = false) {
+    return {{0, height, 0}, {radius, 0, 0}, {0, 0, radius}, byArea};
+}
+
+double discIrradiance(const SphericalDisc& disc) {
+    return irradiance([&](const Vec2& u) { return disc.sample(Vec3(0), u); }, {0, 1, 0});
+}
+
+TEST(SphericalDisc, LightsAsTheClosedForm) { // π R² / (R² + h²)
+    for (const double radius : {0.01, 0.5, 1.0, 5.0}) {
+        const double exact = kPiD * radius * radius / (radius * radius + 1);
+        EXPECT_NEAR(discIrradiance(discAbove(radius, 1)), exact, 2e-3 * exact) << radius;
+        EXPECT_NEAR(discIrradiance(discAbove(radius, 1, true)), exact, 2e-3 * exact) << radius;
+    }
+}
+
+TEST(SphericalDisc, ShinesToItsFrontOnly) {
+    const SphericalDisc up({0, 1, 0}, {0, 0, 1}, {1, 0, 0}, false);
+    overSquare([&](const Vec2& u) { EXPECT_FALSE(up.sample(Vec3(0), u)); }, 8);
+    EXPECT_TRUE(up.sample(Vec3(0, 3, 0), Vec2(0.4F)));
+}
+
+TEST(SphericalDisc, DensityIsThatOfTheSamples) {
+    for (const double height : {0.1, 1.0, 10.0}) {
+        const SphericalDisc disc({0.3, height, 0.2}, {1, 0.1, 0}, {0, 0.2, 0.7}, false);
+        overSquare(
+            [&](const Vec2& u) {
+                const auto s = disc.sample(Vec3(0), u);
+                if (s) EXPECT_NEAR(disc.pdfW(Vec3(0), s->wi) / s->pdfW, 1, 2e-4);
+            },
+            16);
+    }
+}
+
 TEST(SphericalRectangle, OfAnyAnglesIsSampledByItsArea) {
     const auto skewed = facingOrigin({-0.5, 1, -0.5}, {1, 0, 0}, {0.5, 0, 1});
     EXPECT_NEAR(bySolidAngle(skewed, {0, 1, 0}), byArea(skewed, {0, 1, 0}), 1e-9);
@@ -188,6 +222,66 @@ TEST(Emitters, OfTaughtLampsHaveTheLecturesIrradianceAtAnyDistance) {
     ASSERT_TRUE(s);
     EXPECT_NEAR(s->irradiance.x, kPi, 1e-5F);
     EXPECT_EQ(s->pdfW, 0) << "a ray that finds its surface would not know its irradiance";
+}
+
+// ---- Objects that glow
+
+/// Irradiance of all that glows, and that densities of samples are those of what they hit.
+double glowIrradiance(const Scene& scene, const Vec3& normal) {
+    const Tracing tracing(scene);
+    const GlowingObjects glowing(tracing.world());
+    double sum = 0;
+    overSquare([&](const Vec2& u) {
+        const auto s = glowing.sample(Vec3(-tracing.world().origin), u);
+        if (!s) return;
+        const Ray ray{Vec3(-tracing.world().origin), s->wi};
+        const auto hit =
+            std::visit([&](const auto& g) { return closestHit(g, ray); }, *tracing.world().accel);
+        if (!hit || std::fabs(hit->t - s->distance) > 1e-3F * s->distance) return;
+        EXPECT_NEAR(glowing.pdfW(*hit, ray.origin, ray.direction) / s->pdfW, 1, 2e-3);
+        sum += s->radiance.g * std::max(0.0F, glm::dot(s->wi, normal)) / s->pdfW;
+    });
+    return sum / (kGrid * kGrid);
+}
+
+TEST(GlowingObjects, LightAsTheClosedForms) {
+    const Vec3 up(0, 1, 0);
+    TriangleMesh quad;
+    quad.positions = {{-0.5F, 0, -0.5F}, {0.5F, 0, -0.5F}, {0.5F, 0, 0.5F}, {-0.5F, 0, 0.5F}};
+    quad.triangles = {{0, 1, 2}, {0, 2, 3}};
+    quad.doubleSided = false;
+    Scene mesh = underSky(Color(0)), plane = mesh, sphere = mesh, box = mesh, away = mesh;
+    add(mesh, quad, glowing(Color(1)), at({0, 1, 0}));
+    add(away, quad, glowing(Color(1)), at({0, -1, 0})); // its front looks down
+    add(plane, Plane{1, 1, true}, glowing(Color(1)), at({0, 1, 0}));
+    add(sphere, Sphere{1}, glowing(Color(1)), at({0, 2, 0}));
+    add(box, Box{Vec3(1)}, glowing(Color(1)), at({0, 1.5, 0}));
+    EXPECT_NEAR(glowIrradiance(mesh, up), 0.752274688, 2e-3);
+    EXPECT_NEAR(glowIrradiance(away, -up), 0, 0);
+    EXPECT_NEAR(glowIrradiance(plane, up), 0.752274688, 1e-4);
+    EXPECT_NEAR(glowIrradiance(sphere, up), 0.785398163, 1e-4);
+    EXPECT_NEAR(glowIrradiance(box, up), 0.752274688, 5e-3) << "its lower face alone is seen";
+}
+
+TEST(GlowingObjects, AreChosenByTheirPower) {
+    Scene scene = underSky(Color(0));
+    add(scene, Sphere{1}, glowing(Color(3)), at({0, 4, 0}));
+    add(scene, Sphere{0.5F}, glowing(Color(4)), at({0, -4, 0}));
+    const Tracing tracing(scene);
+    const GlowingObjects glowing(tracing.world());
+    int upper = 0;
+    overSquare([&](const Vec2& u) {
+        upper += glowing.sample(Vec3(-tracing.world().origin), u)->radiance.g == 3 ? 1 : 0;
+    });
+    EXPECT_NEAR(upper, 0.75 * kGrid * kGrid, kGrid);
+}
+
+TEST(GlowingObjects, AreNoneWhereNothingGlowsEvenly) {
+    Scene scene = underSky(Color(1));
+    add(scene, Sphere{1}, matte(Color(0.5F)));
+    add(scene, Cylinder{}, glowing(Color(1)));
+    add(scene, Plane{}, glowing(Color(1)), at({0, -2, 0}));
+    EXPECT_TRUE(GlowingObjects(Tracing(scene).world()).empty());
 }
 
 }

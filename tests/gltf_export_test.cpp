@@ -181,8 +181,8 @@ TEST(GltfExport, KeepsMaterialsWithTheirTextures) {
 
 TEST(GltfExport, KeepsLamps) {
     Scene scene = plain();
-    const std::vector<LampShape> shapes{PointLamp{}, DirectionalLamp{}, SpotLamp{0.1, 0.7},
-                                        RectangleLamp{2, 3.5}, SphereLamp{0.125}};
+    const std::vector<LampShape> shapes{PointLamp{},           DirectionalLamp{}, SpotLamp{0.1, 0.7},
+                                        RectangleLamp{2, 3.5}, DiscLamp{0.75},    SphereLamp{0.125}};
     for (const LampShape& shape : shapes)
         for (const bool taught : {false, true}) {
             Light light;

@@ -67,9 +67,8 @@ Color blindPath(const World& world, Ray ray, int maxDepth, std::mt19937& random)
         *world.accel);
 }
 
-TEST(Path, AgreesWithAPathTracerThatKnowsNoLamps) {
+void expectAgreementWithBlindPaths(const Scene& scene) {
     constexpr int kSide = 6, kPasses = 800, kBlindPasses = 12000, kDepth = 4;
-    const Scene scene = cornell(Color(0.2F));
     const Tracing tracing(scene, by(Method::Path, kDepth), kSide, kSide);
     std::vector<DVec3> sums(std::size_t{kSide} * kSide, DVec3(0)), squares = sums, blind = sums,
                                                                    blindSquares = sums;
@@ -105,6 +104,69 @@ TEST(Path, AgreesWithAPathTracerThatKnowsNoLamps) {
     }
     EXPECT_LT(chi2 / (3 * kSide * kSide), 1.6);
     for (int c = 0; c < 3; ++c) EXPECT_NEAR(all[c], allBlind[c], 0.01 * allBlind[c]) << c;
+}
+
+TEST(Path, AgreesWithAPathTracerThatKnowsNoLamps) { expectAgreementWithBlindPaths(cornell(Color(0.2F))); }
+
+/// The box of cornell() without its lamp.
+Scene darkCornell() {
+    Scene scene = cornell();
+    scene.lights.clear();
+    return scene;
+}
+
+/// A matte triangle mesh that looks down.
+TriangleMesh quadLookingDown(float side) {
+    TriangleMesh mesh;
+    const float half = side / 2;
+    mesh.positions = {{-half, 0, -half}, {half, 0, -half}, {half, 0, half}, {-half, 0, half}};
+    mesh.triangles = {{0, 1, 2}, {0, 2, 3}};
+    mesh.doubleSided = false;
+    return mesh;
+}
+
+TEST(Path, WithGlowingObjectsAgreesWithAPathTracerThatKnowsNoLamps) {
+    const DMat4 skewed =
+        glm::rotate(at({0.3, 0.2, 0.1}), 0.7, DVec3(1, 2, 0.5)) * glm::scale(DMat4(1), DVec3(0.3, 0.15, 0.2));
+    Scene mesh = darkCornell(), shapes = darkCornell(), plane = darkCornell();
+    add(mesh, quadLookingDown(0.8F), glowing(Color(4)), at({0, 0.99, 0}));
+    add(shapes, Sphere{1}, glowing({3, 2, 1}), skewed);
+    add(shapes, Box{{0.4F, 0.2F, 0.3F}}, glowing({1, 4, 2}), at({-0.5, 0.5, -0.3}));
+    add(plane, Plane{0.5F, 0.4F, true}, glowing(Color(6)),
+        glm::rotate(at({0.1, 0.1, 0}), 1.0, DVec3(1, 0, 1)));
+    for (const Scene& scene : {mesh, shapes, plane}) expectAgreementWithBlindPaths(scene);
+}
+
+/// Mean and variance of a sample over a picture of the box, of green.
+std::pair<double, double> noiseOf(const Scene& scene) {
+    constexpr int kSide = 12, kPasses = 400;
+    const Tracing tracing(scene, by(Method::Path, 2), kSide, kSide);
+    std::vector<double> sums(kSide * kSide, 0), squares = sums;
+    for (int pass = 0; pass < kPasses; ++pass) {
+        const auto radiance = tracing.radiance(pass);
+        for (std::size_t i = 0; i < sums.size(); ++i) {
+            sums[i] += radiance[i].g;
+            squares[i] += static_cast<double>(radiance[i].g) * radiance[i].g;
+        }
+    }
+    double mean = 0, variance = 0;
+    for (std::size_t i = 0; i < sums.size(); ++i) {
+        const double m = sums[i] / kPasses;
+        mean += m / static_cast<double>(sums.size());
+        variance += (squares[i] / kPasses - m * m) / static_cast<double>(sums.size());
+    }
+    return {mean, variance};
+}
+
+TEST(Path, BelowAGlowingQuadHasHardlyMoreNoiseThanBelowALamp) {
+    Scene lamp = darkCornell(), mesh = darkCornell();
+    lamp.lights = {lampAt({0, 0.99, 0}, RectangleLamp{0.8, 0.8}, 5)};
+    lamp.lights[0].transform = lamp.lights[0].transform * facing({0, -1, 0});
+    add(mesh, quadLookingDown(0.8F), glowing(Color(5)), at({0, 0.99, 0}));
+    const auto [ofLamp, noiseOfLamp] = noiseOf(lamp);
+    const auto [ofMesh, noiseOfMesh] = noiseOf(mesh);
+    EXPECT_NEAR(ofMesh, ofLamp, 0.01 * ofLamp);
+    EXPECT_LT(noiseOfMesh, 1.5 * noiseOfLamp);
 }
 
 TEST(Path, ErrorFallsAtLeastAsTheRootOfTheSamples) {

@@ -98,7 +98,8 @@ TEST(PhotonWalk, ASpotShinesAsTheTracerSeesIt) {
 
 TEST(PhotonWalk, LampsWithAnExtentShineFromTheirSurface) {
     const DVec3 position(0, 4, 0);
-    for (const LampShape& shape : {LampShape(RectangleLamp{0.8, 0.3}), LampShape(SphereLamp{0.25})}) {
+    for (const LampShape& shape :
+         {LampShape(RectangleLamp{0.8, 0.3}), LampShape(DiscLamp{0.3}), LampShape(SphereLamp{0.25})}) {
         const Scene scene = floorUnder(lampTowards(position, {0, -1, 0}, shape, 6));
         const auto world = built(scene);
         const auto seen = sampleLight(world->lights.front(), Vec3(DVec3(0) - world->origin));
@@ -109,6 +110,9 @@ TEST(PhotonWalk, LampsWithAnExtentShineFromTheirSurface) {
             if (shape.index() == 3) {
                 EXPECT_TRUE(std::abs(off.x) <= 0.4001 && std::abs(off.z) <= 0.4001);
                 EXPECT_NEAR(std::abs(off.x * off.z), 0.06, 0.0601);
+                EXPECT_NEAR(off.y, 0, 1e-6);
+            } else if (shape.index() == 4) {
+                EXPECT_LE(glm::length(off), 0.3 + 1e-6);
                 EXPECT_NEAR(off.y, 0, 1e-6);
             } else {
                 EXPECT_NEAR(glm::length(off), 0.25, 1e-6);

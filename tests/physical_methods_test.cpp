@@ -70,11 +70,18 @@ TEST(PhysicalMethods, LightAFloorByLampsWithAnExtentAsTheClosedForm) {
     };
     Light ceiling = lampAt({0, 1, 0}, RectangleLamp{1, 1});
     ceiling.transform = ceiling.transform * facing({0, -1, 0});
+    // Of a disc of radius R above: π R²/(R² + h²), also where it is near.
+    const auto disc = [](double radius, double height) {
+        Light lamp = lampAt({0, height, 0}, DiscLamp{radius});
+        lamp.transform = lamp.transform * facing({0, -1, 0});
+        return LampCase{lamp, kPiD * radius * radius / (radius * radius + height * height)};
+    };
     for (const Method method : kPhysical)
         for (const auto& [lamp, irradiance] :
              {LampCase{ceiling, 0.752274688}, LampCase{lampAt({0, 2, 0}, SphereLamp{1}), 0.785398163},
               LampCase{lampAt({2, 0, 0}, SphereLamp{1}), 0.090586074},
-              LampCase{lampAt({0, 5, 0}, SphereLamp{0.5}), 0.031415927}}) {
+              LampCase{lampAt({0, 5, 0}, SphereLamp{0.5}), 0.031415927}, disc(0.5, 3), disc(1, 1),
+              disc(2, 0.2)}) {
             Scene scene = floorBelow(0.5F);
             scene.cameras.front().eye.y = 0.05; // below the lamps
             scene.lights = {lamp};

@@ -49,6 +49,17 @@ TEST(Plane, RectangleEndsAtItsEdges) {
     EXPECT_FALSE(intersect(Plane{.sizeX = std::nanf("")}, ray({0, 1, 0}, {0, -1, 0})));
 }
 
+TEST(Plane, RoundOneEndsAtItsRim) {
+    const Plane disc{.sizeX = 2, .sizeZ = 6, .round = true};
+    const auto above = [&](double x, double z) {
+        return intersect(disc, ray({x, 1, z}, {0, -1, 0})).has_value();
+    };
+    for (double turn = 0; turn < 6.3; turn += 0.1) {
+        EXPECT_TRUE(above(0.99999 * std::cos(turn), 2.99997 * std::sin(turn)));
+        EXPECT_FALSE(above(1.00001 * std::cos(turn), 3.00003 * std::sin(turn)));
+    }
+}
+
 TEST(Plane, LimitsOfTheRayAreExclusive) {
     const Ray down = ray({0, 2, 0}, {0, -1, 0});
     EXPECT_FALSE(intersect(Plane{}, Ray{down.origin, down.direction, 2, kInfinity}));

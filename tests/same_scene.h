@@ -142,6 +142,9 @@ inline void expectSame(const Light& a, const Light& b) {
         EXPECT_EQ(s->width, std::get<RectangleLamp>(b.shape).width);
         EXPECT_EQ(s->height, std::get<RectangleLamp>(b.shape).height);
     }
+    if (const auto* const s = std::get_if<DiscLamp>(&a.shape)) {
+        EXPECT_EQ(s->radius, std::get<DiscLamp>(b.shape).radius);
+    }
     if (const auto* const s = std::get_if<SphereLamp>(&a.shape)) {
         EXPECT_EQ(s->radius, std::get<SphereLamp>(b.shape).radius);
     }

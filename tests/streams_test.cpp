@@ -72,11 +72,17 @@ Scene allKinds() {
     spot.transform = spot.transform * facing({0, -1, -0.3});
     Light window = lampAt({-3, 2, -3}, RectangleLamp{1, 1}, 10);
     window.transform = window.transform * facing({1, -0.5, 0});
+    Light disc = lampAt({0.8, 1.6, -4}, DiscLamp{0.3}, 5);
+    disc.transform = disc.transform * facing({0.1, -0.2, 1});
     Light sun;
     sun.shape = DirectionalLamp{};
     sun.transform = facing({-0.2, -1, -0.4});
-    scene.lights = {taughtLampAt({3, 4, 0}, Color(0.6F)), lampAt({-2, 3, -3}, SphereLamp{0.3}, 20), spot,
-                    window, sun};
+    scene.lights = {taughtLampAt({3, 4, 0}, Color(0.6F)),
+                    lampAt({-2, 3, -3}, SphereLamp{0.3}, 20),
+                    spot,
+                    window,
+                    disc,
+                    sun};
     return scene;
 }
 

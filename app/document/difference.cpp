@@ -63,6 +63,9 @@ Arguments shapeArguments(const LampShape& shape) {
         Arguments operator()(const RectangleLamp& r) const {
             return {{"type", "rectangle"}, {"width", toText(r.width)}, {"height", toText(r.height)}};
         }
+        Arguments operator()(const DiscLamp& d) const {
+            return {{"type", "disc"}, {"radius", toText(d.radius)}};
+        }
         Arguments operator()(const SphereLamp& s) const {
             return {{"type", "sphere"}, {"radius", toText(s.radius)}};
         }

@@ -10,7 +10,7 @@ namespace {
 
 using namespace std::string_view_literals;
 
-constexpr std::array kLampNames = {"point"sv, "directional"sv, "spot"sv, "rectangle"sv, "sphere"sv};
+constexpr std::array kLampNames = {"point"sv, "directional"sv, "spot"sv, "rectangle"sv, "disc"sv, "sphere"sv};
 constexpr double kBrightest = 1e9;
 constexpr double kSmallest = 1e-6, kLargest = 1e6; // metres
 
@@ -24,6 +24,8 @@ LampShape lampShape(int kind) {
         return SpotLamp{};
     case 3:
         return RectangleLamp{};
+    case 4:
+        return DiscLamp{};
     default:
         return SphereLamp{};
     }
@@ -50,6 +52,8 @@ void resize(LampShape& shape, const Command& command) {
     } else if (auto* rectangle = std::get_if<RectangleLamp>(&shape)) {
         rectangle->width = command.number("width", kSmallest, kLargest).value_or(rectangle->width);
         rectangle->height = command.number("height", kSmallest, kLargest).value_or(rectangle->height);
+    } else if (auto* disc = std::get_if<DiscLamp>(&shape)) {
+        disc->radius = command.number("radius", kSmallest, kLargest).value_or(disc->radius);
     } else if (auto* sphere = std::get_if<SphereLamp>(&shape)) {
         sphere->radius = command.number("radius", kSmallest, kLargest).value_or(sphere->radius);
     }
@@ -113,7 +117,7 @@ constexpr std::array kCommands = {
     DocumentCommand{
         "light",
         "light=NAME enabled=on|off color=r,g,b intensity=I falloff=on|off position=x,y,z direction=x,y,z "
-        "type=point|directional|spot|rectangle|sphere outer=DEG inner=DEG width=M height=M radius=M",
+        "type=point|directional|spot|rectangle|disc|sphere outer=DEG inner=DEG width=M height=M radius=M",
         "Changes a lamp.", light},
     DocumentCommand{"add-light", "type=… name=… and as light", "Adds a lamp above the scene.", addLight},
     DocumentCommand{"remove-light", "light=NAME", "Removes a lamp.", removeLight},

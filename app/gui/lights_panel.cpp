@@ -11,6 +11,7 @@ const char* kindOf(const LampShape& shape) {
         const char* operator()(const DirectionalLamp&) const { return "directional"; }
         const char* operator()(const SpotLamp&) const { return "spot"; }
         const char* operator()(const RectangleLamp&) const { return "rectangle"; }
+        const char* operator()(const DiscLamp&) const { return "disc"; }
         const char* operator()(const SphereLamp&) const { return "sphere"; }
     };
     return std::visit(Name{}, shape);
@@ -23,11 +24,12 @@ void shapeOf(const Widgets& ui, const Command& command, const LampShape& shape) 
     } else if (const auto* rectangle = std::get_if<RectangleLamp>(&shape)) {
         ui.partNumber(command, "width (m)", "width", rectangle->width, 0.01, 100, "%.2f", true);
         ui.partNumber(command, "height (m)", "height", rectangle->height, 0.01, 100, "%.2f", true);
+    } else if (const auto* disc = std::get_if<DiscLamp>(&shape)) {
+        ui.partNumber(command, "radius (m)", "radius", disc->radius, 0.001, 100, "%.3f", true);
     } else if (const auto* sphere = std::get_if<SphereLamp>(&shape)) {
         ui.partNumber(command, "radius (m)", "radius", sphere->radius, 0.001, 100, "%.3f", true);
     }
-    if (std::holds_alternative<RectangleLamp>(shape) || std::holds_alternative<SphereLamp>(shape))
-        dimmedText("local, cast and whitted take this lamp as one point at its centre");
+    if (hasSurface(shape)) dimmedText("local, cast and whitted take this lamp as one point at its centre");
 }
 
 void lamp(const Widgets& ui, const Light& light, std::size_t index) {
@@ -63,14 +65,13 @@ void lightsPanel(const Widgets& ui) {
     const auto scene = ui.viewer.document().scene;
     for (std::size_t i = 0; i < scene->lights.size(); ++i) lamp(ui, scene->lights[i], i);
     if (scene->lights.empty()) dimmedText("the scene has no lamp");
-    for (const char* kind : {"point", "spot", "directional"}) {
+    for (const char* kind : {"point", "spot", "directional", "rectangle", "disc", "sphere"}) {
+        if (std::string_view(kind) != "point") flow(ImGui::CalcTextSize(kind).x + 2 * ImGui::GetFontSize());
         if (ImGui::SmallButton(fmt::format("+ {}", kind).c_str()))
             ui.execute({"add-light", {{"type", kind}}}, {});
         ui.mark(fmt::format("add {}", kind));
         ui.tooltip("adds a lamp above the scene");
-        ImGui::SameLine();
     }
-    ImGui::NewLine();
     ui.partColor(Command("ambient"), "Ambient Ia", "color", scene->ambient);
     const Command sky("environment");
     ui.partColor(sky, "Sky, zenith", "zenith", scene->environment.zenith);

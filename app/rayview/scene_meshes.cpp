@@ -61,7 +61,7 @@ Other unitShape(const Other& shape, DMat4&) {
 }
 
 std::array<float, 3> measures(const Sphere& s) { return {s.radius}; }
-std::array<float, 3> measures(const Plane& p) { return {p.sizeX, p.sizeZ}; }
+std::array<float, 3> measures(const Plane& p) { return {p.sizeX, p.sizeZ, p.round ? 1.0F : 0.0F}; }
 std::array<float, 3> measures(const Box& b) { return {b.size.x, b.size.y, b.size.z}; }
 std::array<float, 3> measures(const Cylinder& c) { return {c.height, c.radiusTop, c.radiusBottom}; }
 
@@ -132,15 +132,16 @@ void SceneMeshes::addLamp(const Light& light) {
     SceneItem item;
     item.surface.emission = light.color * static_cast<float>(light.intensity);
     DMat4 transform = light.transform;
-    std::visit(Overloaded{[&](const RectangleLamp& lamp) {
-                              const DMat4 yAxisToMinusZ{DVec4(1, 0, 0, 0), DVec4(0, 0, -1, 0),
-                                                        DVec4(0, 1, 0, 0), DVec4(0, 0, 0, 1)};
-                              transform = transform * yAxisToMinusZ;
-                              item.oneSided = true;
-                              item.mesh = shapeMesh(Plane{static_cast<float>(lamp.width),
-                                                          static_cast<float>(lamp.height), false},
-                                                    kFinest);
-                          },
+    const auto flat = [&](double width, double height, bool round) {
+        const DMat4 yAxisToMinusZ{DVec4(1, 0, 0, 0), DVec4(0, 0, -1, 0), DVec4(0, 1, 0, 0),
+                                  DVec4(0, 0, 0, 1)};
+        transform = transform * yAxisToMinusZ;
+        item.oneSided = true;
+        item.mesh =
+            shapeMesh(Plane{static_cast<float>(width), static_cast<float>(height), false, round}, kFinest);
+    };
+    std::visit(Overloaded{[&](const RectangleLamp& lamp) { flat(lamp.width, lamp.height, false); },
+                          [&](const DiscLamp& lamp) { flat(2 * lamp.radius, 2 * lamp.radius, true); },
                           [&](const SphereLamp& lamp) {
                               const Sphere ball{static_cast<float>(lamp.radius)};
                               item.mesh = shapeMesh(unitShape(ball, transform), kFinest);

@@ -50,12 +50,13 @@ SurfaceMesh tessellate(const Sphere& sphere, int segments, float) {
     return mesh;
 }
 
-SurfaceMesh tessellate(const Plane& plane, int, float reach) {
+SurfaceMesh tessellate(const Plane& plane, int segments, float reach) {
     const Vec2 half(std::isfinite(plane.sizeX) ? 0.5F * plane.sizeX : reach,
                     std::isfinite(plane.sizeZ) ? 0.5F * plane.sizeZ : reach);
     SurfaceMesh mesh;
-    addGrid(mesh, 1, 1, [&](float s, float t) {
-        const Vec2 at = (2.0F * Vec2(s, t) - 1.0F) * half;
+    addGrid(mesh, plane.round ? segments : 1, 1, [&](float s, float t) {
+        const Vec2 place = plane.round ? t * around(s) : 2.0F * Vec2(s, t) - 1.0F;
+        const Vec2 at = place * half;
         return SurfaceVertex{.position = {at.x, 0, at.y}, .normal = {0, 1, 0}, .uv = at};
     });
     return mesh;

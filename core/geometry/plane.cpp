@@ -11,6 +11,13 @@ DVec3 pointAt(const Ray& ray, double t) {
     return {ray.origin.x + t * ray.direction.x, 0.0, ray.origin.z + t * ray.direction.z};
 }
 
+bool contains(const Plane& plane, const DVec3& p) {
+    const double x = 2 * std::fabs(p.x), z = 2 * std::fabs(p.z);
+    if (!plane.round) return x <= plane.sizeX && z <= plane.sizeZ;
+    const double a = x / static_cast<double>(plane.sizeX), b = z / static_cast<double>(plane.sizeZ);
+    return a * a + b * b <= 1;
+}
+
 }
 
 std::optional<Hit> intersect(const Plane& plane, const Ray& ray) {
@@ -18,8 +25,7 @@ std::optional<Hit> intersect(const Plane& plane, const Ray& ray) {
     const double t = meetsPlane(ray); // NaN for a ray in the plane
     const float rounded = static_cast<float>(t);
     if (!(rounded > ray.tMin && rounded < ray.tMax)) return {};
-    const DVec3 p = pointAt(ray, t);
-    if (!(2 * std::fabs(p.x) <= plane.sizeX && 2 * std::fabs(p.z) <= plane.sizeZ)) return {};
+    if (!contains(plane, pointAt(ray, t))) return {};
     return Hit{.t = rounded};
 }
 

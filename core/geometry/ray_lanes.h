@@ -171,10 +171,15 @@ HWY_INLINE ShapeHitLanes intersect(const Plane& plane, const RayLanes& ray) {
     const auto descends = ray.direction.y < zero;
     if (!plane.doubleSided && hn::AllFalse(FloatTag(), descends)) return {none, zero, face};
     const auto t = meetsPlane(ray);
-    const auto half = [&](FloatLanes origin, FloatLanes direction)
-                          HWY_ATTR { return hn::Abs(widen(origin) + t * widen(direction)) * all(2.0); };
-    const auto inside = hn::And(half(ray.origin.x, ray.direction.x) <= all(static_cast<double>(plane.sizeX)),
-                                half(ray.origin.z, ray.direction.z) <= all(static_cast<double>(plane.sizeZ)));
+    const auto twice = [&](FloatLanes origin, FloatLanes direction)
+                           HWY_ATTR { return hn::Abs(widen(origin) + t * widen(direction)) * all(2.0); };
+    const auto x = twice(ray.origin.x, ray.direction.x), z = twice(ray.origin.z, ray.direction.z);
+    const auto sizeX = all(static_cast<double>(plane.sizeX)), sizeZ = all(static_cast<double>(plane.sizeZ));
+    auto inside = hn::And(x <= sizeX, z <= sizeZ);
+    if (plane.round) {
+        const auto a = x / sizeX, b = z / sizeZ;
+        inside = a * a + b * b <= all(1.0);
+    }
     const auto rounded = narrow(hn::IfThenElse(inside, t, all(std::numeric_limits<double>::infinity())));
     auto met = hn::And(rounded > ray.tMin, rounded < ray.tMax);
     if (!plane.doubleSided) met = hn::And(met, descends);

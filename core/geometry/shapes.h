@@ -19,6 +19,7 @@ struct Sphere {
 struct Plane {
     float sizeX = kInfinity, sizeZ = kInfinity; // full extents
     bool doubleSided = false;                   // else rays from below pass
+    bool round = false; // only the ellipse within: a disc, where both sizes are the same
 };
 
 struct Box {

@@ -106,6 +106,9 @@ private:
             node["extras"]["eyeray"]["lamp"] = lampJson(light, flags, "rectangle");
             node["extras"]["eyeray"]["lamp"].update(
                 {{"width", rectangle->width}, {"height", rectangle->height}});
+        } else if (const auto* const disc = std::get_if<DiscLamp>(&light.shape)) {
+            node["extras"]["eyeray"]["lamp"] = lampJson(light, flags, "disc");
+            node["extras"]["eyeray"]["lamp"]["radius"] = disc->radius;
         } else if (const auto* const sphere = std::get_if<SphereLamp>(&light.shape)) {
             node["extras"]["eyeray"]["lamp"] = lampJson(light, flags, "sphere");
             node["extras"]["eyeray"]["lamp"]["radius"] = sphere->radius;

@@ -74,10 +74,12 @@ std::optional<Light> importAreaLamp(GltfFields& nodeExtras) {
     if (type == "rectangle")
         light.shape =
             RectangleLamp{fields.number("width", 1, kPositive), fields.number("height", 1, kPositive)};
+    else if (type == "disc")
+        light.shape = DiscLamp{fields.number("radius", DiscLamp{}.radius, kPositive)};
     else if (type == "sphere")
         light.shape = SphereLamp{fields.number("radius", SphereLamp{}.radius, kPositive)};
     else
-        fields.refuse("type is neither rectangle nor sphere");
+        fields.refuse("type is none of rectangle, disc and sphere");
     light.color = fields.color("color", light.color);
     light.intensity = fields.number("intensity", light.intensity, kNotNegative);
     if (fields.has("range")) light.range = fields.number("range", 0, kPositive);

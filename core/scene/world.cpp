@@ -99,6 +99,10 @@ public:
                     lamp(Plane{static_cast<float>(r.width), static_cast<float>(r.height), false},
                          light.transform * yAxisToMinusZ);
                 },
+                [&](const DiscLamp& d) {
+                    const auto size = static_cast<float>(2 * d.radius);
+                    lamp(Plane{size, size, false, true}, light.transform * yAxisToMinusZ);
+                },
                 [&](const SphereLamp& s) { lamp(Sphere{static_cast<float>(s.radius)}, light.transform); },
                 [](const auto&) {}},
             light.shape);
@@ -179,6 +183,9 @@ LampEmission emissionOf(const SpotLamp& s, const DMat3&) {
 }
 LampEmission emissionOf(const RectangleLamp& r, const DMat3& map) {
     return {WorldLight::Kind::Facing, r.width * r.height * glm::length(glm::cross(map[0], map[1]))};
+}
+LampEmission emissionOf(const DiscLamp& d, const DMat3& map) {
+    return {WorldLight::Kind::Facing, kPiD * d.radius * d.radius * glm::length(glm::cross(map[0], map[1]))};
 }
 LampEmission emissionOf(const SphereLamp& s, const DMat3& map) {
     const double scale = std::cbrt(std::fabs(glm::determinant(map)));

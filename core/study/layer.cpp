@@ -134,7 +134,8 @@ std::optional<DVec3> layerValue(const Layer& layer, const SampleRecord& record, 
         return lampSum(record, [&](const LampTerm& term) { return term.light == layer.index; });
     case Quantity::Rest:
         if (leftOut) return DVec3(0);
-        return ownSum(record, [](const RayRecord&) { return true; });
+        return ownSum(record, [](const RayRecord&) { return true; }) +
+               lampSum(record, [](const LampTerm& term) { return term.light < 0; });
     case Quantity::Recursion:
         return DVec3(deepest(record));
     case Quantity::Rays:

@@ -55,6 +55,11 @@ Place placeOn(const Shape& shape, const PhotonNumbers& numbers) {
                        return Place{r.center + (a - 0.5) * r.edgeX + (b - 0.5) * r.edgeY,
                                     byCosine(r.normal, c, d)};
                    },
+                   [&](const PhotonLamps::Disc& s) {
+                       const double radius = std::sqrt(a), turn = 2 * kPiD * b;
+                       return Place{s.center + radius * (std::cos(turn) * s.axisX + std::sin(turn) * s.axisY),
+                                    byCosine(s.normal, c, d)};
+                   },
                    [&](const PhotonLamps::Ball& s) {
                        const DVec3 outward = anywhere(a, b);
                        return Place{s.center + s.radius * outward, byCosine(outward, c, d)};
@@ -68,6 +73,7 @@ double wattsOf(const Shape& shape) {
                                  [](const PhotonLamps::Spot& s) { return 2 * kPiD * ofSpot(s); },
                                  [](const PhotonLamps::Sun& s) { return kPiD * s.radius * s.radius; },
                                  [](const PhotonLamps::Rectangle&) { return kPiD; },
+                                 [](const PhotonLamps::Disc&) { return kPiD; },
                                  [](const PhotonLamps::Ball&) { return 4 * kPiD; }},
                       shape);
 }
@@ -85,6 +91,8 @@ Shape shapeOf(const WorldLight& light, const Light& scenes, const DMat3& axes, d
     if (const auto* const rectangle = std::get_if<RectangleLamp>(&scenes.shape))
         return PhotonLamps::Rectangle{position, rectangle->width * axes[0], rectangle->height * axes[1],
                                       direction};
+    if (const auto* const disc = std::get_if<DiscLamp>(&scenes.shape))
+        return PhotonLamps::Disc{position, disc->radius * axes[0], disc->radius * axes[1], direction};
     if (const auto* const sphere = std::get_if<SphereLamp>(&scenes.shape))
         return PhotonLamps::Ball{position, sphere->radius * std::cbrt(std::fabs(glm::determinant(axes)))};
     if (light.kind == WorldLight::Kind::Spot) {

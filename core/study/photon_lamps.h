@@ -69,11 +69,14 @@ public:
     struct Rectangle {
         DVec3 center, edgeX, edgeY, normal; // it shines along the normal
     };
+    struct Disc {
+        DVec3 center, axisX, axisY, normal; // of radii as long as the axes
+    };
     struct Ball {
         DVec3 center;
         double radius;
     };
-    using Shape = std::variant<Point, Spot, Sun, Rectangle, Ball>;
+    using Shape = std::variant<Point, Spot, Sun, Rectangle, Disc, Ball>;
 
 private:
     struct Lamp {

@@ -47,8 +47,7 @@ private:
     /// True for a lamp with a surface, and for the sky.
     bool hasExtent(int light) const {
         if (light < 0) return true;
-        const LampShape& shape = world_.scene->lights[static_cast<std::size_t>(light)].shape;
-        return std::holds_alternative<RectangleLamp>(shape) || std::holds_alternative<SphereLamp>(shape);
+        return hasSurface(world_.scene->lights[static_cast<std::size_t>(light)].shape);
     }
 
     static bool bringsDiffuse(const SampleRecord& record, int shadowRay) {

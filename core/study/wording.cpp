@@ -20,7 +20,8 @@ std::string objectName(const Scene& scene, int object) {
 }
 
 std::string lampName(const Scene& scene, int light) {
-    return light < 0 ? "the sky" : nameOf(scene.lights, light, "lamp");
+    if (light == kGlowingObjects) return "what glows";
+    return light == kSkyLight ? "the sky" : nameOf(scene.lights, light, "lamp");
 }
 
 std::string meeting(const Scene& scene, const RayRecord& ray) {

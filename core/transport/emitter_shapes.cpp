@@ -96,6 +96,71 @@ ShapeSample SphericalRectangle::towards(const Vec3& from, const DVec3& point) co
             .emitterCosine = static_cast<float>(-glm::dot(normal_, to) / distance)};
 }
 
+double SphericalRectangle::solidAngle(const Vec3& from) const {
+    const auto seen = seenFrom(from);
+    return seen ? seen->solidAngle : 0;
+}
+
+namespace {
+
+constexpr double kNearSolidAngle =
+    0.5; // of the rectangle around a disc: beyond it 1/r² varies by more than a third
+
+/// From the square to the unit disc, areas in proportion.
+DVec2 concentric(const Vec2& u) {
+    const DVec2 v = 2.0 * DVec2(u) - 1.0;
+    if (v == DVec2(0)) return v;
+    const bool wide = std::fabs(v.x) > std::fabs(v.y);
+    const double radius = wide ? v.x : v.y;
+    const double turn = wide ? kPiD / 4 * (v.y / v.x) : kPiD / 2 - kPiD / 4 * (v.x / v.y);
+    return radius * DVec2(std::cos(turn), std::sin(turn));
+}
+
+}
+
+SphericalDisc::SphericalDisc(const DVec3& center, const DVec3& axisX, const DVec3& axisY, bool byArea)
+    : center_(center), axisX_(axisX), axisY_(axisY),
+      toUnit_(glm::inverse(DMat3(axisX, axisY, glm::cross(axisX, axisY)))),
+      around_(center, 2.0 * axisX, 2.0 * axisY), area_(kPiD * glm::length(glm::cross(axisX, axisY))),
+      byArea_(byArea) {}
+
+bool SphericalDisc::near(const Vec3& from) const {
+    return !byArea_ && around_.solidAngle(from) > kNearSolidAngle;
+}
+
+bool SphericalDisc::contains(const DVec3& point) const {
+    const DVec3 p = toUnit_ * (point - center_);
+    return p.x * p.x + p.y * p.y <= 1;
+}
+
+float SphericalDisc::densityByArea(const ShapeSample& s) const {
+    return static_cast<float>(static_cast<double>(s.distance) * s.distance / (s.emitterCosine * area_));
+}
+
+std::optional<ShapeSample> SphericalDisc::sample(const Vec3& from, const Vec2& u) const {
+    if (near(from)) {
+        auto s = around_.sample(from, u);
+        if (s && !contains(DVec3(from) + static_cast<double>(s->distance) * DVec3(s->wi)))
+            return std::nullopt;
+        return s;
+    }
+    const DVec2 p = concentric(u);
+    ShapeSample s = around_.towards(from, center_ + p.x * axisX_ + p.y * axisY_);
+    if (!(s.emitterCosine > 0)) return std::nullopt;
+    s.pdfW = densityByArea(s);
+    return s;
+}
+
+float SphericalDisc::pdfW(const Vec3& from, const Vec3& wi) const {
+    if (near(from)) return around_.pdfW(from, wi);
+    const DVec3 normal = safeNormalize(glm::cross(axisX_, axisY_));
+    const double cosine = -glm::dot(normal, DVec3(wi));
+    const double distance = glm::dot(normal, DVec3(from) - center_) / cosine;
+    if (!(cosine > 0)) return 0;
+    return densityByArea(
+        {.wi = wi, .distance = static_cast<float>(distance), .emitterCosine = static_cast<float>(cosine)});
+}
+
 SphericalEllipsoid::SphericalEllipsoid(const DMat4& map)
     : center_(map[3]), map_(map), inverse_(glm::inverse(DMat3(map))) {}
 

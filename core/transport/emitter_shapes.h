@@ -27,15 +27,43 @@ public:
     float pdfW(const Vec3& from, const Vec3& wi) const;
 
     std::optional<ShapeSample> sampleByArea(const Vec3& from, const Vec2& u) const;
+    /// Of a point of its plane, as sampleByArea gives one.
+    ShapeSample towards(const Vec3& from, const DVec3& point) const;
+    /// Steradians, as seen from its front; 0 where it is sampled by area.
+    double solidAngle(const Vec3& from) const;
 
 private:
     struct Seen;
     std::optional<Seen> seenFrom(const Vec3& from) const;
-    ShapeSample towards(const Vec3& from, const DVec3& point) const;
 
     DVec3 center_, edgeX_, edgeY_, normal_;
     double area_;
     bool rectangular_;
+};
+
+/// One-sided disc under an affine map. From afar it is sampled uniformly over its area: P. Shirley, K. Chiu
+/// 1997, "A Low Distortion Map Between Disk and Square"; from nearby, where 1/r² would be noise without
+/// bounds, uniformly over the solid angle of the rectangle around it, whose corners give nothing.
+class SphericalDisc {
+public:
+    /// The light leaves on the side of cross(axisX, axisY), which reach to its rim. `byArea`: also from
+    /// nearby.
+    SphericalDisc(const DVec3& center, const DVec3& axisX, const DVec3& axisY, bool byArea);
+
+    std::optional<ShapeSample> sample(const Vec3& from, const Vec2& u) const;
+    /// Of a direction that hits its front.
+    float pdfW(const Vec3& from, const Vec3& wi) const;
+
+private:
+    bool near(const Vec3& from) const;
+    float densityByArea(const ShapeSample&) const;
+    bool contains(const DVec3& point) const;
+
+    DVec3 center_, axisX_, axisY_;
+    DMat3 toUnit_; // the disc to that of radius 1 in x and y
+    SphericalRectangle around_;
+    double area_;
+    bool byArea_;
 };
 
 /// A sphere under an affine map; a true sphere is sampled uniformly over its cone of directions.

@@ -16,6 +16,9 @@ std::optional<ShapeSample> sampleShape(const Emitter& emitter, const Vec3& posit
     using Result = std::optional<ShapeSample>;
     return std::visit(Overloaded{[](std::monostate) -> Result { return std::nullopt; },
                                  [&](const SkyGradient& sky) -> Result { return sky.sample(u); },
+                                 [](const std::shared_ptr<const GlowingObjects>&) -> Result {
+                                     return std::nullopt; // has a radiance of its own
+                                 },
                                  [&](const auto& shape) -> Result { return shape.sample(position, u); }},
                       emitter.shape);
 }
@@ -39,10 +42,13 @@ Emitter emitterOf(const WorldLight& asPoint, const Light& light, const DMat4& pl
     const double volume = glm::determinant(DMat3(placement));
     if (!std::isfinite(volume) || volume == 0) return emitter;
     const auto axis = [&](int i) { return DVec3(placement[i]); };
+    const double mirrored = volume < 0 ? 1 : -1; // flat ones shine to their −z, as their surface does
     if (const auto* const rectangle = std::get_if<RectangleLamp>(&light.shape)) {
-        const double mirrored = volume < 0 ? 1 : -1; // it shines to its −z, as its surface does
         emitter.shape = SphericalRectangle(DVec3(placement[3]), rectangle->width * axis(0),
                                            mirrored * rectangle->height * axis(1));
+    } else if (const auto* const disc = std::get_if<DiscLamp>(&light.shape)) {
+        emitter.shape = SphericalDisc(DVec3(placement[3]), disc->radius * axis(0),
+                                      mirrored * disc->radius * axis(1), !light.falloff);
     } else if (const auto* const sphere = std::get_if<SphereLamp>(&light.shape)) {
         DMat4 map(DMat3(placement) * sphere->radius);
         map[3] = placement[3];
@@ -62,6 +68,11 @@ std::optional<EmitterSample> sampleEmitter(const Emitter& emitter, const Vec3& p
         if (!point) return std::nullopt;
         return EmitterSample{point->wi, point->distance, point->irradiance, 0};
     }
+    if (const auto* const glowing = std::get_if<std::shared_ptr<const GlowingObjects>>(&emitter.shape)) {
+        const auto s = (*glowing)->sample(position, u);
+        if (!s || !(s->pdfW > 0) || !(s->distance > 0)) return std::nullopt;
+        return EmitterSample{s->wi, s->distance, s->radiance / s->pdfW, s->pdfW};
+    }
     const auto s = sampleShape(emitter, position, u);
     if (!s || !(s->pdfW > 0) || !(s->distance > 0)) return std::nullopt;
     if (s->distance > emitter.light.range) return std::nullopt;
@@ -79,11 +90,13 @@ float emitterPdfW(const Emitter& emitter, const Vec3& position, const Vec3& wi) 
     if (!emitter.findable) return 0;
     return std::visit(Overloaded{[](std::monostate) { return 0.0F; },
                                  [&](const SkyGradient& sky) { return sky.pdfW(wi); },
+                                 [](const std::shared_ptr<const GlowingObjects>&) { return 0.0F; },
                                  [&](const auto& shape) { return shape.pdfW(position, wi); }},
                       emitter.shape);
 }
 
-Emitters::Emitters(const World& world, const Camera& camera) : ofLight(world.scene->lights.size(), -1) {
+Emitters::Emitters(const World& world, const Camera& camera, bool withGlowing)
+    : ofLight(world.scene->lights.size(), -1) {
     for (const WorldLight& asPoint : lightsFor(world, camera)) {
         const Light& light = world.scene->lights[static_cast<std::size_t>(asPoint.sceneLight)];
         ofLight[static_cast<std::size_t>(asPoint.sceneLight)] = static_cast<int>(all.size());
@@ -91,7 +104,13 @@ Emitters::Emitters(const World& world, const Camera& camera) : ofLight(world.sce
     }
     if (!world.scene->environment.black()) {
         sky = static_cast<int>(all.size());
-        all.push_back({.shape = SkyGradient(world.scene->environment), .light = {}, .findable = true});
+        all.push_back({.shape = SkyGradient(world.scene->environment),
+                       .light = {.sceneLight = kSkyLight},
+                       .findable = true});
+    }
+    if (auto objects = std::make_shared<const GlowingObjects>(world); withGlowing && !objects->empty()) {
+        glowing = std::move(objects);
+        all.push_back({.shape = glowing, .light = {.sceneLight = kGlowingObjects}, .findable = true});
     }
     findable = std::any_of(all.begin(), all.end(), [](const Emitter& e) { return e.findable; }) ||
                std::any_of(world.materials.begin(), world.materials.end(),

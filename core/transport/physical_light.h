@@ -21,11 +21,15 @@ inline float weightOfFoundLamp(const TraceContext& context, const PhysicalRay& r
     return powerHeuristic(ray.pdfW, emitterPdfW(emitter, ray.tree.ray.origin, ray.tree.ray.direction));
 }
 
-/// Of a surface that glows: a lamp's, or an object's, to which no shadow ray goes.
-inline float weightOfFoundSurface(const TraceContext& context, const PhysicalRay& ray,
+/// Of a surface that glows: a lamp's, or an object's.
+inline float weightOfFoundSurface(const TraceContext& context, const PhysicalRay& ray, const Hit& hit,
                                   const WorldObject& object) {
-    const int emitter =
-        object.sceneLight >= 0 ? context.emitters.ofLight[static_cast<std::size_t>(object.sceneLight)] : -1;
+    if (object.sceneLight < 0) {
+        const auto& glowing = context.emitters.glowing;
+        if (!glowing || !(ray.pdfW > 0)) return 1;
+        return powerHeuristic(ray.pdfW, glowing->pdfW(hit, ray.tree.ray.origin, ray.tree.ray.direction));
+    }
+    const int emitter = context.emitters.ofLight[static_cast<std::size_t>(object.sceneLight)];
     if (emitter < 0) return 1;
     return weightOfFoundLamp(context, ray, context.emitters.all[static_cast<std::size_t>(emitter)]);
 }
@@ -83,7 +87,7 @@ Color physicalLight(SampleState<Index, Recorder>& state, const PhysicalPoint& po
     Color radiance = point.surface.emission * emitted;
     std::uint32_t index = 0;
     for (const Emitter& emitter : context.emitters.all) {
-        const int light = static_cast<int>(index) == context.emitters.sky ? -1 : emitter.light.sceneLight;
+        const int light = emitter.light.sceneLight;
         const std::uint32_t key = hashCombine(from.key, ++index);
         const auto note = [&]([[maybe_unused]] LampTerm term) {
             if constexpr (Recorder::kOn) {

@@ -46,7 +46,7 @@ Color physicalRadiance(SampleState<Index, Recorder>& state, const PhysicalRay& r
     if (hit) {
         const PhysicalPoint point = physicalPointAt<F>(world, state.geometry, ray, *hit);
         const float emitted =
-            isBlack(point.surface.emission) ? 1 : weightOfFoundSurface(context, ray, *point.p.object);
+            isBlack(point.surface.emission) ? 1 : weightOfFoundSurface(context, ray, *hit, *point.p.object);
         if constexpr (Recorder::kOn) {
             HitRecord& noted = state.recorder.at(record).hit;
             noted = hitRecordOf(world, point.p, *hit);

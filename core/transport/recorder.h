@@ -9,6 +9,9 @@
 
 namespace eyeray {
 
+// In the place of an id in Scene::lights.
+inline constexpr int kSkyLight = -1, kGlowingObjects = -2;
+
 /// How a ray ended.
 enum class RayEnd : std::uint8_t { Hit, Background, Unblocked, Blocked };
 
@@ -34,7 +37,7 @@ struct RayRecord {
     Vec3 origin{0}, direction{0}; // relative to the World's origin; the direction is unit
     float t = kInfinity;          // of the hit, or to the lamp
     int object = -1;              // hit: id in Scene::objects, −1 for none or the surface of a lamp
-    int light = -1;               // of a shadow ray: id in Scene::lights, −1 for the sky
+    int light = -1;               // of a shadow ray: id in Scene::lights, or as above
     int medium = -1;              // it runs in: id in Scene::objects, −1 for none
     Color share{1};               // of its radiance that its parent's hit sends on: kr or kt at this angle
     Color weight{1};              // of its radiance that reaches the pixel
@@ -53,7 +56,7 @@ struct RayRecord {
 struct LampTerm {
     enum class State : std::uint8_t { Lit, FacesAway, OutOfReach } state = State::Lit; // others are black
     int ray = -1;                                                                      // at whose hit
-    int light = -1;                        // id in Scene::lights, −1 for the sky
+    int light = -1;                        // id in Scene::lights, or as above
     int shadowRay = -1;                    // −1: none was traced
     Vec3 wi{0};                            // unit, towards the lamp
     Color diffuse{0}, specular{0};         // kd (n·l); ks (r·v)^n or ks (n·h)^n

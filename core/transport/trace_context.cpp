@@ -80,7 +80,9 @@ TraceContext::TraceContext(std::shared_ptr<const World> traced, const Camera& ca
     : world(std::move(traced)), settings(withoutNeedless(asked, world->needs)), width(w), height(h),
       seed(seed_), stop(std::move(stop_)), eyeRays(camera, world->origin, w, h, settings.faults),
       lights(lightsFor(*world, camera)),
-      emitters(isPhysical(settings.method) ? Emitters(*world, camera) : Emitters()),
+      emitters(isPhysical(settings.method)
+                   ? Emitters(*world, camera, settings.method == Method::Path && settings.shadows)
+                   : Emitters()),
       eyeMedia(mediaAround(*world, Vec3(camera.eye - world->origin))),
       textbook(settings.faults.empty()
                    ? nullptr

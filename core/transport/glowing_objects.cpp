@@ -1,0 +1,167 @@
+#include "core/transport/glowing_objects.h"
+
+#include <algorithm>
+
+namespace eyeray {
+namespace {
+
+template <class... Fs>
+struct Overloaded : Fs... {
+    using Fs::operator()...;
+};
+template <class... Fs>
+Overloaded(Fs...) -> Overloaded<Fs...>;
+
+/// Unit normal of a face on the side that `front` looks to.
+DVec3 normalOf(const DVec3& edgeA, const DVec3& edgeB, const DVec3& front) {
+    const DVec3 normal = safeNormalize(glm::cross(edgeA, edgeB));
+    return glm::dot(normal, front) < 0 ? -normal : normal;
+}
+
+}
+
+GlowingRectangle::GlowingRectangle(const DVec3& center, const DVec3& edgeX, const DVec3& edgeY,
+                                   const DVec3& front, bool bothSides)
+    : center_(center), normal_(normalOf(edgeX, edgeY, front)),
+      front_(center, edgeX, glm::dot(glm::cross(edgeX, edgeY), front) < 0 ? -edgeY : edgeY),
+      back_(center, edgeX, glm::dot(glm::cross(edgeX, edgeY), front) < 0 ? edgeY : -edgeY),
+      area_(glm::length(glm::cross(edgeX, edgeY))), bothSides_(bothSides) {}
+
+const SphericalRectangle& GlowingRectangle::sideTowards(const Vec3& from) const {
+    return bothSides_ && glm::dot(normal_, DVec3(from) - center_) < 0 ? back_ : front_;
+}
+
+std::optional<ShapeSample> GlowingRectangle::sample(const Vec3& from, const Vec2& u) const {
+    return sideTowards(from).sample(from, u);
+}
+
+float GlowingRectangle::pdfW(const Vec3& from, const Vec3& wi) const {
+    return sideTowards(from).pdfW(from, wi);
+}
+
+GlowingTriangle::GlowingTriangle(const DVec3& corner, const DVec3& edgeA, const DVec3& edgeB,
+                                 const DVec3& front, bool bothSides)
+    : corner_(corner), edgeA_(edgeA), edgeB_(edgeB), normal_(normalOf(edgeA, edgeB, front)),
+      area_(0.5 * glm::length(glm::cross(edgeA, edgeB))), bothSides_(bothSides) {}
+
+float GlowingTriangle::densityAt(double distance, double cosine) const {
+    const double facing = bothSides_ ? std::fabs(cosine) : cosine;
+    return facing > 0 ? static_cast<float>(distance * distance / (facing * area_)) : 0;
+}
+
+std::optional<ShapeSample> GlowingTriangle::sample(const Vec3& from, const Vec2& u) const {
+    const double x = u.x, y = u.y;
+    const double a = y > x ? x / 2 : x - y / 2, b = y > x ? y - x / 2 : y / 2;
+    const DVec3 to = corner_ + a * edgeA_ + b * edgeB_ - DVec3(from);
+    const double distance = glm::length(to);
+    const double cosine = -glm::dot(normal_, to) / distance;
+    const float density = densityAt(distance, cosine);
+    if (!(density > 0)) return std::nullopt;
+    return ShapeSample{.wi = Vec3(to / distance),
+                       .distance = static_cast<float>(distance),
+                       .pdfW = density,
+                       .emitterCosine = static_cast<float>(std::fabs(cosine))};
+}
+
+float GlowingTriangle::pdfW(const Vec3& from, const Vec3& wi) const {
+    const double cosine = -glm::dot(normal_, DVec3(wi));
+    return densityAt(glm::dot(normal_, DVec3(from) - corner_) / cosine, cosine);
+}
+
+GlowingObjects::GlowingObjects(const World& world) : ofInstance_(world.objects.size(), -1) {
+    for (std::uint32_t i = 0; i < world.objects.size(); ++i) {
+        const WorldObject& object = world.objects[i];
+        const WorldMaterial& material = world.materials[object.material];
+        const bool even = !material.varies && !object.vertexColors;
+        if (object.sceneObject >= 0 && even && !isBlack(material.physical.emission)) add(world, i);
+    }
+    double sum = 0;
+    for (const Part& part : parts_) sum += part.probability; // still its power
+    double below = 0;
+    for (Part& part : parts_) {
+        part.probability = static_cast<float>(part.probability / sum);
+        below += part.probability;
+        below_.push_back(static_cast<float>(below));
+    }
+}
+
+void GlowingObjects::add(const Shape& shape, double area, const Color& radiance) {
+    parts_.push_back({shape, radiance, static_cast<float>(area) * luminance(radiance)});
+}
+
+void GlowingObjects::add(const World& world, std::uint32_t instance) {
+    const WorldObject& worldObject = world.objects[instance];
+    const Color radiance = world.materials[worldObject.material].physical.emission;
+    const Object& object = world.scene->objects[static_cast<std::size_t>(worldObject.sceneObject)];
+    DMat4 place = object.transform;
+    place[3] -= DVec4(world.origin, 0);
+    const DMat3 turn(place);
+    const std::size_t first = parts_.size();
+    const auto rectangle = [&](const DVec3& center, const DVec3& x, const DVec3& y, const DVec3& front,
+                               bool bothSides) {
+        const GlowingRectangle part(transformPoint(place, center), turn * x, turn * y, turn * front,
+                                    bothSides);
+        add(part, part.area(), radiance);
+    };
+    const auto ofShape = Overloaded{
+        [&](const Sphere& sphere) {
+            DMat4 map(turn * static_cast<double>(sphere.radius));
+            map[3] = place[3];
+            const double scale = std::cbrt(std::fabs(glm::determinant(DMat3(map))));
+            add(SphericalEllipsoid(map), 4 * kPiD * scale * scale, radiance);
+        },
+        [&](const Plane& plane) {
+            if (std::isfinite(plane.sizeX) && std::isfinite(plane.sizeZ) && !plane.round)
+                rectangle(DVec3(0), {0, 0, plane.sizeZ}, {plane.sizeX, 0, 0}, {0, 1, 0}, plane.doubleSided);
+        },
+        [&](const Box& box) {
+            for (int face = 0; face < 6; ++face) {
+                DVec3 out(0), x(0), y(0);
+                const int axis = face / 2;
+                out[axis] = face % 2 == 1 ? 1 : -1;
+                x[(axis + 1) % 3] = box.size[(axis + 1) % 3];
+                y[(axis + 2) % 3] = box.size[(axis + 2) % 3];
+                rectangle(0.5 * out * DVec3(box.size), x, y, out, true);
+            }
+        },
+        [](const Cylinder&) {}};
+    const auto ofMesh = [&](const TriangleMesh& mesh) {
+        for (const auto& corners : mesh.triangles) {
+            const DVec3 corner(mesh.positions[corners[0]]);
+            const DVec3 a = DVec3(mesh.positions[corners[1]]) - corner;
+            const DVec3 b = DVec3(mesh.positions[corners[2]]) - corner;
+            const GlowingTriangle part(transformPoint(place, corner), turn * a, turn * b,
+                                       turn * glm::cross(a, b), mesh.doubleSided);
+            add(part, part.area(), radiance);
+        }
+    };
+    std::visit(
+        Overloaded{
+            [&](ShapeId id) { std::visit(ofShape, world.scene->shapes[static_cast<std::size_t>(id.index)]); },
+            [&](MeshId id) { ofMesh(*world.scene->meshes[static_cast<std::size_t>(id.index)].triangles); }},
+        object.geometry);
+    if (parts_.size() > first) ofInstance_[instance] = static_cast<int>(first);
+}
+
+std::optional<GlowSample> GlowingObjects::sample(const Vec3& from, const Vec2& u) const {
+    const auto chosen = std::upper_bound(below_.begin(), below_.end() - 1, u.x) - below_.begin();
+    const auto i = static_cast<std::size_t>(chosen);
+    const Part& part = parts_[i];
+    constexpr float kBelowOne = 0x1.fffffep-1F;
+    const float start = i == 0 ? 0 : below_[i - 1];
+    const Vec2 within(std::clamp((u.x - start) / part.probability, 0.0F, kBelowOne), u.y);
+    const auto s = std::visit([&](const auto& shape) { return shape.sample(from, within); }, part.shape);
+    if (!s) return std::nullopt;
+    GlowSample result{*s, part.radiance};
+    result.pdfW *= part.probability;
+    return result;
+}
+
+float GlowingObjects::pdfW(const Hit& hit, const Vec3& from, const Vec3& wi) const {
+    const int first = ofInstance_[hit.instance];
+    if (first < 0) return 0;
+    const Part& part = parts_[static_cast<std::size_t>(first) + hit.primitive];
+    return part.probability * std::visit([&](const auto& shape) { return shape.pdfW(from, wi); }, part.shape);
+}
+
+}
