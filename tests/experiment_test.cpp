@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "core/image/metrics.h"
+#include "core/render/render_session.h"
 #include "core/study/experiment_run.h"
 #include "core/study/pass_loop.h"
 #include "tests/scenes.h"
@@ -81,6 +82,51 @@ ExperimentPlan smallPlan(const TaughtMaterial& ball = mirror(Color(0.8F))) {
                  {AccelKind::Auto},
                  {1, 4}};
     return plan;
+}
+
+TEST(Experiment, ShadowsPrecisionAndAdaptiveSamplingAreDimensions) {
+    ExperimentGrid grid = smallPlan().grid;
+    grid.methods = {Method::Local, Method::Whitted};
+    grid.depths = {4};
+    grid.shadows = {1, 0};
+    grid.adaptive = {0, 1};
+    grid.precisions = {Precision::Float, Precision::Double};
+    const auto labels = [&](const TraceSettings& base) {
+        std::vector<std::string> labels;
+        for (const ExperimentSetting& setting : combinations(grid, base))
+            labels.push_back(labelOf(setting, grid));
+        return labels;
+    };
+    EXPECT_EQ(labels({}), (std::vector<std::string>{"local", "local adaptive", "whitted", "whitted adaptive",
+                                                    "whitted no shadows", "whitted no shadows adaptive"}));
+    TraceSettings faulty;
+    faulty.faults.set(Fault::SphereSlide, true);
+    EXPECT_EQ(labels(faulty).size(), 12U) << "precision, too";
+}
+
+TEST(Experiment, AdaptivePassesAreThoseOfARenderSession) {
+    const ExperimentPlan plan = smallPlan();
+    TraceSettings settings;
+    settings.method = Method::Distributed;
+    const auto world = buildWorld(plan.scene, {});
+    constexpr int kPasses = 40, kSide = 64;
+    constexpr double kError = 0.02;
+    ThreadPool pool(2);
+    PassLoop passes(makeIntegrator(settings.method),
+                    TraceContext(world, plan.camera, settings, kSide, kSide, 3, {}), pool);
+    passes.sampleAdaptively(kError, {});
+    while (passes.passes() < kPasses) ASSERT_TRUE(passes.pass(1e9, {}));
+    RenderSettings render;
+    render.width = render.height = kSide;
+    render.trace = settings;
+    render.seed = 3;
+    render.stop = {.samples = kPasses, .seconds = 0, .error = kError, .adaptive = true};
+    RenderSession session(2);
+    session.start(world, plan.camera, render);
+    const RenderStatus status = session.wait(std::chrono::seconds(120));
+    EXPECT_EQ(passes.picture(), session.image());
+    EXPECT_DOUBLE_EQ(passes.samplesPerPixel(), status.samplesPerPixel);
+    EXPECT_LT(passes.samplesPerPixel(), kPasses);
 }
 
 TEST(Experiment, FindsTheErrorOfAHalfCoveredPixelByTheRootOfN) {

@@ -29,7 +29,7 @@ ExperimentPlan planFrom(const OpenedScene& opened, const ChartOptions& options) 
     ExperimentPlan plan;
     plan.scene = document.scene;
     plan.camera = document.camera;
-    plan.grid = gridFrom(options.lists);
+    plan.grid = gridFrom(options.lists, document.render.trace);
     plan.base = document.render.trace;
     plan.display = document.render.display;
     plan.meterExposure = opened.meterExposure;
@@ -37,6 +37,7 @@ ExperimentPlan planFrom(const OpenedScene& opened, const ChartOptions& options) 
     plan.threads = document.threads;
     plan.repeats = options.repeats;
     plan.limitSeconds = options.limitSeconds;
+    plan.adaptiveError = options.adaptiveError;
     plan.referenceSamples =
         options.referenceSamples > 0 ? options.referenceSamples : kReferenceByMost * plan.grid.samples.back();
     plan.referenceSamples += plan.referenceSamples % 2; // two halves

@@ -19,7 +19,8 @@ std::string cells(const Spread& spread) {
 }
 
 std::string heading() {
-    std::string text = "setting,method,max_depth,cutoff,sampler,glass_shadows,accel,samples,runs,front,"
+    std::string text = "setting,method,max_depth,cutoff,sampler,glass_shadows,shadows,precision,accel,"
+                       "adaptive,samples,samples_per_pixel,runs,front,"
                        "failure,build_seconds,seconds,seconds_min,seconds_max";
     for (const char* against : kAgainstNames) {
         for (const std::string_view metric : kErrorMetricNames)
@@ -39,13 +40,15 @@ std::string csvOf(const Chart& chart) {
         const ExperimentPoint& point = experiment.points[i];
         const ExperimentCurve& curve = experiment.curves[point.curve];
         const TraceSettings& trace = curve.setting.trace;
-        text += fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},{}", quoted(curve.label),
-                            kMethodNames[static_cast<std::size_t>(trace.method)], trace.maxDepth,
-                            trace.cutoff, kSamplerNames[static_cast<std::size_t>(trace.sampler)],
-                            kGlassShadowNames[static_cast<std::size_t>(trace.glassShadows)],
-                            kAccelNames[static_cast<std::size_t>(curve.setting.accel)], point.samples,
-                            point.repeats.size(), front[i] ? 1 : 0, quoted(point.failure), curve.buildSeconds,
-                            cells(point.seconds()));
+        text += fmt::format(
+            "{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}", quoted(curve.label),
+            kMethodNames[static_cast<std::size_t>(trace.method)], trace.maxDepth, trace.cutoff,
+            kSamplerNames[static_cast<std::size_t>(trace.sampler)],
+            kGlassShadowNames[static_cast<std::size_t>(trace.glassShadows)], trace.shadows ? "on" : "off",
+            kPrecisionNames[static_cast<std::size_t>(trace.precision)],
+            kAccelNames[static_cast<std::size_t>(curve.setting.accel)], curve.setting.adaptive ? "on" : "off",
+            point.samples, cell(point.samplesPerPixel().median), point.repeats.size(), front[i] ? 1 : 0,
+            quoted(point.failure), curve.buildSeconds, cells(point.seconds()));
         for (const ErrorAgainst against : kAgainst) {
             for (std::size_t metric = 0; metric < kErrorMetrics; ++metric)
                 text += fmt::format(",{}", cells(point.error(against, static_cast<ErrorMetric>(metric))));

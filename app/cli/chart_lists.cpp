@@ -57,7 +57,7 @@ private:
 
 }
 
-ExperimentGrid gridFrom(const std::map<std::string, std::string>& given) {
+ExperimentGrid gridFrom(const std::map<std::string, std::string>& given, const TraceSettings& base) {
     const Lists lists(given);
     ExperimentGrid grid;
     grid.methods = lists.choices<Method>("methods", kMethodNames);
@@ -68,8 +68,12 @@ ExperimentGrid gridFrom(const std::map<std::string, std::string>& given) {
     grid.accels = lists.choices<AccelKind>("accels", kAccelNames);
     grid.samplers = lists.choices<Sampler>("samplers", kSamplerNames);
     grid.glassShadows = lists.choices<GlassShadows>("glass-shadows", kGlassShadowNames);
+    constexpr std::array<std::string_view, 2> kOffOn = {"off", "on"};
+    grid.shadows = lists.choices<std::uint8_t>("shadows", kOffOn);
+    grid.adaptive = lists.choices<std::uint8_t>("adaptive", kOffOn);
+    grid.precisions = lists.choices<Precision>("precisions", kPrecisionNames);
     std::ranges::sort(grid.samples);
-    const std::size_t points = combinations(grid, {}).size() * grid.samples.size();
+    const std::size_t points = combinations(grid, base).size() * grid.samples.size();
     if (points > kMostPoints)
         throw InputError("eyeray chart", fmt::format("these are {} points", points),
                          fmt::format("shorten the lists to {} or fewer", kMostPoints));

@@ -22,10 +22,13 @@ inline constexpr std::array kChartLists = {
     ChartList{"accels", "of auto, brute, bvh2, bvh8; auto", "auto"},
     ChartList{"samplers", "of independent, stratified, sobol; sobol", "sobol"},
     ChartList{"glass-shadows", "of opaque, straight, all; straight", "straight"},
+    ChartList{"shadows", "shadow rays, of on, off; on", "on"},
+    ChartList{"precisions", "of a --fault, of float, double; float", "float"},
+    ChartList{"adaptive", "samples where the noise is, of off, on; off", "off"},
 };
 
 /// What all settings of an experiment are made from; a list that is missing or empty is the usual one.
 /// Throws InputError for what is no list of the kind, and for too many points.
-ExperimentGrid gridFrom(const std::map<std::string, std::string>& lists);
+ExperimentGrid gridFrom(const std::map<std::string, std::string>& lists, const TraceSettings& base);
 
 }

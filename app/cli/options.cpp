@@ -117,6 +117,10 @@ void addChart(CLI::App& app, ChartOptions& options) {
     app.add_option("--limit", options.limitSeconds, "seconds of tracing after which a point has failed")
         ->check(CLI::Range(0.001, 1e6))
         ->type_name("S");
+    app.add_option("--error", options.adaptiveError,
+                   "of displayed values (0 to 1), that adaptive sampling aims at; 0.002")
+        ->check(CLI::Range(1e-6, 1.0))
+        ->type_name("E");
     app.add_option("--metric", options.metric,
                    "error that is drawn: rmse, relmse, p95, shown-rmse, shown-p95, flip")
         ->check(CLI::IsMember(std::vector<std::string>(kErrorMetricNames.begin(), kErrorMetricNames.end())))
@@ -124,6 +128,7 @@ void addChart(CLI::App& app, ChartOptions& options) {
     app.add_flag("--quiet", options.quiet, "no progress line");
     addView(app, options.picture);
     addRays(app, options.picture);
+    addSetting(app, options.picture, "fault", "NAME[,NAME]", "well-known mistakes to chart");
     addSetting(app, options.picture, "threads", "N", "threads that trace; 0 is one per core");
 }
 

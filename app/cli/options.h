@@ -88,6 +88,7 @@ struct ChartOptions {
     int repeats = 3;
     int referenceSamples = 0; // 0: by the most samples
     double limitSeconds = 30;
+    double adaptiveError = kInvisibleError; // that adaptive sampling aims at
     std::string metric = "rmse";
     bool quiet = false;
 };

@@ -29,34 +29,42 @@ ExperimentSetting normalised(ExperimentSetting setting) {
         trace.cutoff = usual.cutoff;
     }
     if (!isPhysical(trace.method)) trace.sampler = usual.sampler;
-    if (trace.method == Method::Local) trace.glassShadows = usual.glassShadows;
+    if (trace.method == Method::Local) {
+        trace.glassShadows = usual.glassShadows;
+        trace.shadows = usual.shadows;
+    }
+    if (trace.faults.empty()) trace.precision = usual.precision;
     return setting;
 }
 
 }
 
 std::vector<ExperimentSetting> combinations(const ExperimentGrid& grid, const TraceSettings& base) {
-    std::vector<ExperimentSetting> all;
-    const auto add = [&](ExperimentSetting setting) {
-        setting = normalised(setting);
-        if (std::ranges::find(all, setting) == all.end()) all.push_back(setting);
+    std::vector<ExperimentSetting> all = {{base, {}, false}};
+    const auto cross = [&](const auto& values, const auto& set) {
+        std::vector<ExperimentSetting> crossed;
+        for (ExperimentSetting setting : all)
+            for (const auto value : values) {
+                set(setting, value);
+                crossed.push_back(setting);
+            }
+        all = std::move(crossed);
     };
-    ExperimentSetting next{base, {}};
-    for (const Method method : grid.methods)
-        for (const int depth : grid.depths)
-            for (const float cutoff : grid.cutoffs)
-                for (const Sampler sampler : grid.samplers)
-                    for (const GlassShadows shadows : grid.glassShadows)
-                        for (const AccelKind accel : grid.accels) {
-                            next.trace.method = method;
-                            next.trace.maxDepth = depth;
-                            next.trace.cutoff = cutoff;
-                            next.trace.sampler = sampler;
-                            next.trace.glassShadows = shadows;
-                            next.accel = accel;
-                            add(next);
-                        }
-    return all;
+    using Setting = ExperimentSetting;
+    cross(grid.methods, [](Setting& s, Method method) { s.trace.method = method; });
+    cross(grid.depths, [](Setting& s, int depth) { s.trace.maxDepth = depth; });
+    cross(grid.cutoffs, [](Setting& s, float cutoff) { s.trace.cutoff = cutoff; });
+    cross(grid.samplers, [](Setting& s, Sampler sampler) { s.trace.sampler = sampler; });
+    cross(grid.glassShadows, [](Setting& s, GlassShadows policy) { s.trace.glassShadows = policy; });
+    cross(grid.shadows, [](Setting& s, bool on) { s.trace.shadows = on; });
+    cross(grid.precisions, [](Setting& s, Precision precision) { s.trace.precision = precision; });
+    cross(grid.accels, [](Setting& s, AccelKind accel) { s.accel = accel; });
+    cross(grid.adaptive, [](Setting& s, bool on) { s.adaptive = on; });
+    std::vector<ExperimentSetting> distinct;
+    for (const ExperimentSetting& setting : all)
+        if (std::ranges::find(distinct, normalised(setting)) == distinct.end())
+            distinct.push_back(normalised(setting));
+    return distinct;
 }
 
 std::string labelOf(const ExperimentSetting& setting, const ExperimentGrid& grid) {
@@ -69,7 +77,11 @@ std::string labelOf(const ExperimentSetting& setting, const ExperimentGrid& grid
         label += fmt::format(" {}", nameIn(kSamplerNames, trace.sampler));
     if (grid.glassShadows.size() > 1 && trace.method != Method::Local)
         label += fmt::format(" {}", nameIn(kGlassShadowNames, trace.glassShadows));
+    if (grid.shadows.size() > 1 && trace.method != Method::Local && !trace.shadows) label += " no shadows";
+    if (grid.precisions.size() > 1 && !trace.faults.empty())
+        label += fmt::format(" {}", nameIn(kPrecisionNames, trace.precision));
     if (grid.accels.size() > 1) label += fmt::format(" {}", nameIn(kAccelNames, setting.accel));
+    if (grid.adaptive.size() > 1 && setting.adaptive) label += " adaptive";
     return label;
 }
 
@@ -110,6 +122,13 @@ Spread ExperimentPoint::seconds() const {
     std::vector<double> values;
     values.reserve(repeats.size());
     for (const Repeat& repeat : repeats) values.push_back(repeat.seconds);
+    return spreadOf(std::move(values));
+}
+
+Spread ExperimentPoint::samplesPerPixel() const {
+    std::vector<double> values;
+    values.reserve(repeats.size());
+    for (const Repeat& repeat : repeats) values.push_back(repeat.samplesPerPixel);
     return spreadOf(std::move(values));
 }
 

@@ -17,6 +17,7 @@ namespace eyeray {
 struct ExperimentSetting {
     TraceSettings trace;
     AccelKind accel = AccelKind::Auto;
+    bool adaptive = false; // samples where the noise is, as core/render/adaptive.h says
 
     friend bool operator==(const ExperimentSetting&, const ExperimentSetting&) = default;
 };
@@ -29,17 +30,21 @@ struct ExperimentGrid {
     std::vector<Sampler> samplers;
     std::vector<GlassShadows> glassShadows;
     std::vector<AccelKind> accels;
-    std::vector<int> samples; // ascending, each ≥ 1
+    std::vector<int> samples; // ascending, each ≥ 1: passes, which adaptive sampling leaves pixels out of
+    std::vector<std::uint8_t> shadows = {1}, adaptive = {0}; // off, on
+    std::vector<Precision> precisions = {Precision::Float};
 };
 
 /// The combinations, each once: depth and cutoff mean nothing to methods without mirrors and glass, the
-/// sampler nothing to those without chance, shadows nothing to `local`. All else is as in `base`.
+/// sampler nothing to those without chance, shadows nothing to `local`, precision nothing without a fault.
+/// All else is as in `base`.
 std::vector<ExperimentSetting> combinations(const ExperimentGrid&, const TraceSettings& base);
 
 /// The method, and what differs in the grid: "whitted d5 bvh2".
 std::string labelOf(const ExperimentSetting&, const ExperimentGrid&);
 
-/// What limits a setting's picture when samples are without end: the accelerator and the sampler do not.
+/// What limits a setting's picture when samples are without end: the accelerator, the sampler and where
+/// samples go do not.
 TraceSettings modelOf(const ExperimentSetting&);
 
 /// The settings that leave nothing out: path tracing to the largest depth. Shadow rays at glass as in `base`.
@@ -75,7 +80,7 @@ enum class ErrorAgainst : std::uint8_t { Limit, Fullest }; // what sampling does
 
 struct ExperimentPoint {
     struct Repeat {
-        double seconds; // spent tracing
+        double seconds, samplesPerPixel; // spent tracing; on average
         PictureErrors toLimit, toFullest;
     };
     std::size_t curve = 0;
@@ -84,6 +89,7 @@ struct ExperimentPoint {
     std::string failure;         // why there are none
 
     Spread seconds() const;
+    Spread samplesPerPixel() const;
     Spread error(ErrorAgainst, ErrorMetric) const;
 };
 

@@ -161,6 +161,7 @@ private:
         ExperimentCurve& measured = result_.curves[curve];
         progress_.begin(measured.label);
         PassLoop passes = loop(measured.setting, plan_.seed + static_cast<std::uint32_t>(repeat));
+        if (measured.setting.adaptive) passes.sampleAdaptively(plan_.adaptiveError, result_.display);
         for (ExperimentPoint& point : pointsOf(curve)) {
             if (!point.failure.empty()) return;
             while (passes.passes() < point.samples) {
@@ -171,7 +172,7 @@ private:
                 progress_.did(passSeconds_[curve]);
             }
             ColorImage picture = passes.picture();
-            point.repeats.push_back({passes.seconds(),
+            point.repeats.push_back({passes.seconds(), passes.samplesPerPixel(),
                                      errorsOf(measured.limit.picture, picture, result_.display),
                                      errorsOf(result_.fullest.picture, picture, result_.display)});
             if (repeat == 0) measured.picture = std::move(picture);

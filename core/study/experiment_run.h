@@ -6,6 +6,7 @@
 #include <optional>
 #include <stop_token>
 
+#include "core/render/render_settings.h"
 #include "core/study/experiment.h"
 
 namespace eyeray {
@@ -20,7 +21,8 @@ struct ExperimentPlan {
     ExperimentGrid grid;
     TraceSettings base;
     int repeats = 3;
-    int referenceSamples = 0; // even
+    int referenceSamples = 0;               // even
+    double adaptiveError = kInvisibleError; // that adaptive sampling aims at, of displayed values
     double limitSeconds = 30; // of tracing, for each curve and repeat: what takes longer has failed
     int threads = 0;          // 0: one per core
 };

@@ -7,6 +7,8 @@
 #include <cmath>
 #include <numeric>
 
+#include "core/render/adaptive.h"
+
 namespace eyeray {
 namespace {
 
@@ -53,6 +55,11 @@ PassLoop::PassLoop(std::shared_ptr<const Integrator> integrator, const TraceCont
     : integrator_(std::move(integrator)), context_(context), pool_(pool), tiles_(std::move(mosaic.tiles)),
       film_(mosaic.width, mosaic.height) {}
 
+void PassLoop::sampleAdaptively(double error, const DisplaySettings& display) {
+    ENSURE(passes_ == 0);
+    goal_ = {error, display};
+}
+
 bool PassLoop::pass(double limitSeconds, const std::stop_token& stop) {
     using Clock = std::chrono::steady_clock;
     const auto start = Clock::now();
@@ -68,7 +75,10 @@ bool PassLoop::pass(double limitSeconds, const std::stop_token& stop) {
         if (elapsed() > limitSeconds) broken.request_stop();
         const auto tile = static_cast<std::size_t>(i);
         const double before = workedSeconds();
-        results[tile] = integrator_->renderTile(context_, tiles_[tile], passes_);
+        const std::vector<std::uint8_t> wanted = film_.wanted(i, passes_);
+        Tile traced = tiles_[tile];
+        traced.wanted = wanted;
+        results[tile] = integrator_->renderTile(context_, traced, passes_);
         results[tile].tile = film_.tile(i);
         worked[tile] = workedSeconds() - before;
     });
@@ -81,6 +91,7 @@ bool PassLoop::pass(double limitSeconds, const std::stop_token& stop) {
         counts_ += result.counts;
     }
     ++passes_;
+    if (goal_ && isAdaptiveStage(passes_)) decideSamples(film_, passes_, goal_->error, goal_->display);
     return true;
 }
 

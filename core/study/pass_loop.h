@@ -2,6 +2,7 @@
 // One picture, pass after pass on the caller's time: for measuring.
 
 #include <memory>
+#include <optional>
 #include <stop_token>
 
 #include "core/base/thread_pool.h"
@@ -27,11 +28,19 @@ public:
     /// Of a mosaic of the context's picture.
     PassLoop(std::shared_ptr<const Integrator>, const TraceContext&, ThreadPool&, Mosaic);
 
-    /// Traces one sample more of every pixel. False, and nothing is added, if it is broken off: because
-    /// tracing has taken `limitSeconds` in all, or by `stop`.
+    /// From the first pass on, pixels end as core/render/adaptive.h says.
+    void sampleAdaptively(double error, const DisplaySettings&);
+
+    /// Traces one sample more of every pixel that has not ended. False, and nothing is added, if it is broken
+    /// off: because tracing has taken `limitSeconds` in all, or by `stop`.
     bool pass(double limitSeconds, const std::stop_token& stop);
 
     int passes() const { return passes_; }
+    /// On average.
+    double samplesPerPixel() const {
+        return static_cast<double>(counts_[RayKind::Eye]) /
+               (static_cast<double>(film_.width()) * film_.height());
+    }
     /// Spent tracing.
     double seconds() const { return seconds_; }
     /// What the threads have worked on it: whatever else the machine has to do, this stays the same.
@@ -45,6 +54,11 @@ public:
     }
 
 private:
+    struct AdaptiveGoal {
+        double error;
+        DisplaySettings display;
+    };
+    std::optional<AdaptiveGoal> goal_;
     std::shared_ptr<const Integrator> integrator_;
     TraceContext context_;
     ThreadPool& pool_;
