@@ -92,10 +92,10 @@ TEST(Experiment, ShadowsPrecisionAndAdaptiveSamplingAreDimensions) {
     grid.adaptive = {0, 1};
     grid.precisions = {Precision::Float, Precision::Double};
     const auto labels = [&](const TraceSettings& base) {
-        std::vector<std::string> labels;
+        std::vector<std::string> all;
         for (const ExperimentSetting& setting : combinations(grid, base))
-            labels.push_back(labelOf(setting, grid));
-        return labels;
+            all.push_back(labelOf(setting, grid));
+        return all;
     };
     EXPECT_EQ(labels({}), (std::vector<std::string>{"local", "local adaptive", "whitted", "whitted adaptive",
                                                     "whitted no shadows", "whitted no shadows adaptive"}));

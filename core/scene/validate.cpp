@@ -43,8 +43,6 @@ void check(const TriangleMesh& mesh) {
 
 void check(const Shape& shape) {
     const auto positive = [](float v) { return v > 0 && std::isfinite(v); };
-    if (const auto* const disc = std::get_if<DiscLamp>(&light.shape))
-        ENSURE(disc->radius > 0 && finite(disc->radius));
     if (const auto* const sphere = std::get_if<Sphere>(&shape)) ENSURE(positive(sphere->radius));
     if (const auto* const plane = std::get_if<Plane>(&shape)) ENSURE(plane->sizeX > 0 && plane->sizeZ > 0);
     if (const auto* const box = std::get_if<Box>(&shape))
@@ -117,6 +115,8 @@ void check(const Light& light) {
     if (const auto* const rectangle = std::get_if<RectangleLamp>(&light.shape))
         ENSURE(rectangle->width > 0 && rectangle->height > 0 && finite(rectangle->width) &&
                finite(rectangle->height));
+    if (const auto* const disc = std::get_if<DiscLamp>(&light.shape))
+        ENSURE(disc->radius > 0 && finite(disc->radius));
     if (const auto* const sphere = std::get_if<SphereLamp>(&light.shape))
         ENSURE(sphere->radius > 0 && finite(sphere->radius));
 }

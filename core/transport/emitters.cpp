@@ -62,14 +62,15 @@ Emitter emitterOf(const WorldLight& asPoint, const Light& light, const DMat4& pl
 
 }
 
-std::optional<EmitterSample> sampleEmitter(const Emitter& emitter, const Vec3& position, const Vec2& u) {
+std::optional<EmitterSample> sampleEmitter(const Emitter& emitter, const Vec3& position,
+                                           std::uint32_t instance, const Vec2& u) {
     if (std::holds_alternative<std::monostate>(emitter.shape)) {
         const auto point = sampleLight(emitter.light, position);
         if (!point) return std::nullopt;
         return EmitterSample{point->wi, point->distance, point->irradiance, 0};
     }
     if (const auto* const glowing = std::get_if<std::shared_ptr<const GlowingObjects>>(&emitter.shape)) {
-        const auto s = (*glowing)->sample(position, u);
+        const auto s = (*glowing)->sample(position, instance, u);
         if (!s || !(s->pdfW > 0) || !(s->distance > 0)) return std::nullopt;
         return EmitterSample{s->wi, s->distance, s->radiance / s->pdfW, s->pdfW};
     }

@@ -34,8 +34,10 @@ struct Emitter {
     bool findable = false; // by rays that are sent at random
 };
 
-/// How `position` sees the emitter at u in [0, 1)², or nothing where it does not shine.
-std::optional<EmitterSample> sampleEmitter(const Emitter&, const Vec3& position, const Vec2& u);
+/// How `position`, on an instance of the World, sees the emitter at u in [0, 1)², or nothing where it does
+/// not shine.
+std::optional<EmitterSample> sampleEmitter(const Emitter&, const Vec3& position, std::uint32_t instance,
+                                           const Vec2& u);
 
 /// Density with which sampleEmitter gives wi, which is known to hit the emitter; 0 if it is not findable. Of
 /// objects that glow it is GlowingObjects::pdfW.

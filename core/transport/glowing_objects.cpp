@@ -85,10 +85,6 @@ GlowingObjects::GlowingObjects(const World& world) : ofInstance_(world.objects.s
     }
 }
 
-void GlowingObjects::add(const Shape& shape, double area, const Color& radiance) {
-    parts_.push_back({shape, radiance, static_cast<float>(area) * luminance(radiance)});
-}
-
 void GlowingObjects::add(const World& world, std::uint32_t instance) {
     const WorldObject& worldObject = world.objects[instance];
     const Color radiance = world.materials[worldObject.material].physical.emission;
@@ -97,18 +93,21 @@ void GlowingObjects::add(const World& world, std::uint32_t instance) {
     place[3] -= DVec4(world.origin, 0);
     const DMat3 turn(place);
     const std::size_t first = parts_.size();
+    const auto addPart = [&](const Shape& shape, double area) {
+        parts_.push_back({shape, radiance, static_cast<float>(area) * luminance(radiance), instance});
+    };
     const auto rectangle = [&](const DVec3& center, const DVec3& x, const DVec3& y, const DVec3& front,
                                bool bothSides) {
         const GlowingRectangle part(transformPoint(place, center), turn * x, turn * y, turn * front,
                                     bothSides);
-        add(part, part.area(), radiance);
+        addPart(part, part.area());
     };
     const auto ofShape = Overloaded{
         [&](const Sphere& sphere) {
             DMat4 map(turn * static_cast<double>(sphere.radius));
             map[3] = place[3];
             const double scale = std::cbrt(std::fabs(glm::determinant(DMat3(map))));
-            add(SphericalEllipsoid(map), 4 * kPiD * scale * scale, radiance);
+            addPart(SphericalEllipsoid(map), 4 * kPiD * scale * scale);
         },
         [&](const Plane& plane) {
             if (std::isfinite(plane.sizeX) && std::isfinite(plane.sizeZ) && !plane.round)
@@ -132,7 +131,7 @@ void GlowingObjects::add(const World& world, std::uint32_t instance) {
             const DVec3 b = DVec3(mesh.positions[corners[2]]) - corner;
             const GlowingTriangle part(transformPoint(place, corner), turn * a, turn * b,
                                        turn * glm::cross(a, b), mesh.doubleSided);
-            add(part, part.area(), radiance);
+            addPart(part, part.area());
         }
     };
     std::visit(
@@ -143,10 +142,12 @@ void GlowingObjects::add(const World& world, std::uint32_t instance) {
     if (parts_.size() > first) ofInstance_[instance] = static_cast<int>(first);
 }
 
-std::optional<GlowSample> GlowingObjects::sample(const Vec3& from, const Vec2& u) const {
+std::optional<GlowSample> GlowingObjects::sample(const Vec3& from, std::uint32_t instance,
+                                                 const Vec2& u) const {
     const auto chosen = std::upper_bound(below_.begin(), below_.end() - 1, u.x) - below_.begin();
     const auto i = static_cast<std::size_t>(chosen);
     const Part& part = parts_[i];
+    if (part.isSphereOf(instance)) return std::nullopt;
     constexpr float kBelowOne = 0x1.fffffep-1F;
     const float start = i == 0 ? 0 : below_[i - 1];
     const Vec2 within(std::clamp((u.x - start) / part.probability, 0.0F, kBelowOne), u.y);
@@ -157,10 +158,11 @@ std::optional<GlowSample> GlowingObjects::sample(const Vec3& from, const Vec2& u
     return result;
 }
 
-float GlowingObjects::pdfW(const Hit& hit, const Vec3& from, const Vec3& wi) const {
+float GlowingObjects::pdfW(const Hit& hit, const Vec3& from, std::uint32_t instance, const Vec3& wi) const {
     const int first = ofInstance_[hit.instance];
     if (first < 0) return 0;
     const Part& part = parts_[static_cast<std::size_t>(first) + hit.primitive];
+    if (part.isSphereOf(instance)) return 0;
     return part.probability * std::visit([&](const auto& shape) { return shape.pdfW(from, wi); }, part.shape);
 }
 

@@ -63,11 +63,12 @@ public:
 
     bool empty() const { return parts_.empty(); }
 
-    /// A direction to one of them, with u in [0, 1)²; nothing where it does not shine.
-    std::optional<GlowSample> sample(const Vec3& from, const Vec2& u) const;
+    /// A direction to one of them, with u in [0, 1)², from a place on an instance of the World; nothing where
+    /// it does not shine. A sphere is no lamp to itself.
+    std::optional<GlowSample> sample(const Vec3& from, std::uint32_t instance, const Vec2& u) const;
 
     /// Density with which sample() gives a direction that is known to hit this; 0 for what it leaves out.
-    float pdfW(const Hit&, const Vec3& from, const Vec3& wi) const;
+    float pdfW(const Hit&, const Vec3& from, std::uint32_t instance, const Vec3& wi) const;
 
 private:
     using Shape = std::variant<GlowingTriangle, GlowingRectangle, SphericalEllipsoid>;
@@ -75,9 +76,12 @@ private:
         Shape shape;
         Color radiance;
         float probability;
+        std::uint32_t instance;
+        bool isSphereOf(std::uint32_t other) const {
+            return instance == other && std::holds_alternative<SphericalEllipsoid>(shape);
+        }
     };
     void add(const World&, std::uint32_t instance);
-    void add(const Shape&, double area, const Color& radiance);
 
     std::vector<Part> parts_;
     std::vector<float> below_;    // of each part: sum of the probabilities up to its end

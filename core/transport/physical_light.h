@@ -27,7 +27,8 @@ inline float weightOfFoundSurface(const TraceContext& context, const PhysicalRay
     if (object.sceneLight < 0) {
         const auto& glowing = context.emitters.glowing;
         if (!glowing || !(ray.pdfW > 0)) return 1;
-        return powerHeuristic(ray.pdfW, glowing->pdfW(hit, ray.tree.ray.origin, ray.tree.ray.direction));
+        return powerHeuristic(ray.pdfW,
+                              glowing->pdfW(hit, ray.tree.ray.origin, ray.instance, ray.tree.ray.direction));
     }
     const int emitter = context.emitters.ofLight[static_cast<std::size_t>(object.sceneLight)];
     if (emitter < 0) return 1;
@@ -96,7 +97,8 @@ Color physicalLight(SampleState<Index, Recorder>& state, const PhysicalPoint& po
                 state.recorder.record.lamps.push_back(term);
             }
         };
-        const auto lamp = sampleEmitter(emitter, point.p.at.position, state.random(key, SamplePurpose::Lamp));
+        const auto lamp = sampleEmitter(emitter, point.p.at.position, point.p.instance,
+                                        state.random(key, SamplePurpose::Lamp));
         if (!lamp) {
             note({.state = LampTerm::State::OutOfReach});
             continue;

@@ -12,7 +12,8 @@ struct PhysicalRay {
     std::uint32_t key = 0;  // addresses the random numbers at its end
     float pdfW = 0;         // with which it was sent; 0: it could not have gone elsewhere, as the eye ray
     bool scattered = false; // a rough or diffuse surface lies on its way from the eye
-    bool forLamps = false;  // one deeper than max depth: it only looks for lamps, beside the shadow rays
+    std::uint32_t instance = 0xffffffff; // of the World, that it leaves; the eye ray leaves none
+    bool forLamps = false; // one deeper than max depth: it only looks for lamps, beside the shadow rays
 };
 
 /// The key of a next ray.

@@ -90,7 +90,8 @@ inline PhysicalRay nextRay(const PhysicalRay& ray, const PhysicalPoint& point, c
                      .eta = point.interface.eta,
                      .cosine = glm::dot(point.p.normal, point.p.wo)},
             .key = keyOfNext(ray, sample.kind),
-            .scattered = ray.scattered || !sample.delta};
+            .scattered = ray.scattered || !sample.delta,
+            .instance = point.p.instance};
 }
 
 /// Why a next ray is not traced, if so; at the depth limit one that is not mirrored may still look for lamps.
