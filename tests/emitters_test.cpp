@@ -264,7 +264,7 @@ TEST(GlowingObjects, LightAsTheClosedForms) {
     EXPECT_NEAR(glowIrradiance(away, -up), 0, 0);
     EXPECT_NEAR(glowIrradiance(plane, up), 0.752274688, 1e-4);
     EXPECT_NEAR(glowIrradiance(sphere, up), 0.785398163, 1e-4);
-    EXPECT_NEAR(glowIrradiance(box, up), 0.752274688, 5e-3) << "its lower face alone is seen";
+    EXPECT_NEAR(glowIrradiance(box, up), 0.752274688, 1e-2) << "its lower face alone is seen";
 }
 
 TEST(GlowingObjects, AreChosenByTheirPower) {

@@ -13,7 +13,7 @@ work=${2:-$(mktemp -d)}
 mkdir -p "$work"
 [ -n "${2:-}" ] || trap 'rm -rf "$work"' EXIT
 
-width=320 height=240 depth=8 threads=2 many=256
+width=160 height=120 depth=8 threads=2 many=64
 
 # Pictures OUT of so many samples or seconds (0: no limit), with this seed.
 byEyeray() { # OUT SAMPLES SECONDS SEED
@@ -38,7 +38,7 @@ python3 - "$(rmse "$work/eyeray1.exr" "$work/eyeray2.exr")" "$(rmse "$work/cycle
 import sys
 eyeray, cycles, between = map(float, sys.argv[1:])
 expected = ((eyeray**2 + cycles**2) / 2) ** 0.5
-print(f"256 samples: noise of Eyeray {eyeray / 2**0.5:.5f}, of Cycles {cycles / 2**0.5:.5f};", end=" ")
+print(f"64 samples: noise of Eyeray {eyeray / 2**0.5:.5f}, of Cycles {cycles / 2**0.5:.5f};", end=" ")
 print(f"they differ by {between:.5f}, their noise alone by {expected:.5f}")
 if between > 1.1 * expected:
     sys.exit("compare.sh: they differ by more than their noise")
@@ -49,5 +49,5 @@ byEyeray "$work/eyeray.exr" $((16 * many)) 0 3
 byCycles "$work/cycles.exr" $((16 * many)) 0 3
 byEyeray "$work/eyeray-timed.exr" 1000000 "$seconds" 4
 byCycles "$work/cycles-timed.exr" 1000000 "$seconds" 4
-echo "after $seconds s on $threads threads, RMSE against the other's 4096 samples:" \
+echo "after $seconds s on $threads threads, RMSE against the other's $((16 * many)) samples:" \
   "Eyeray $(rmse "$work/cycles.exr" "$work/eyeray-timed.exr"), Cycles $(rmse "$work/eyeray.exr" "$work/cycles-timed.exr")"
