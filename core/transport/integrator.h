@@ -19,8 +19,9 @@ namespace eyeray {
 struct Tile {
     int x0 = 0, y0 = 0, x1 = 0, y1 = 0;
     int step = 1;
-    std::span<const std::uint8_t> wanted = {}; // of each pixel, row by row: 0 leaves it out; empty: none is.
-                                               // Only with step 1
+    // Of each pixel, row by row: 0 leaves it out; empty: none is. Only with step 1.
+    // NOLINTNEXTLINE(readability-redundant-member-init): GCC warns of members left out without
+    std::span<const std::uint8_t> wanted = {};
 };
 
 /// Calls `each(x, y)` for the pixels of a tile that are traced, row by row.
