@@ -2,6 +2,7 @@
 
 #include <csignal>
 #include <exception>
+#include <system_error>
 #include <variant>
 
 #include "app/cli/run.h"
@@ -31,6 +32,10 @@ int main(int argc, char** argv) {
         return complain(error, kWrongRequest);
     } catch (const std::bad_alloc&) {
         fmt::print(stderr, "eyeray: memory: there is not enough of it: choose a smaller picture or scene\n");
+        return kCannot;
+    } catch (const std::system_error& error) {
+        if (error.code() != std::errc::resource_unavailable_try_again) return complain(error, kCannot);
+        fmt::print(stderr, "eyeray: threads: the system starts no more of them: close other programs\n");
         return kCannot;
     } catch (const std::exception& error) {
         return complain(error, kCannot);

@@ -52,6 +52,10 @@ if(EYERAY_BUILD_APP)
   target_link_libraries(eyeray_leaks_bench PRIVATE eyeray_core)
   eyeray_compile_options(eyeray_leaks_bench)
 
+  add_executable(eyeray_pov_mesh EXCLUDE_FROM_ALL tests/bench/povray/mesh.cpp)
+  target_link_libraries(eyeray_pov_mesh PRIVATE eyeray_core)
+  eyeray_compile_options(eyeray_pov_mesh)
+
   find_package(embree 3 REQUIRED) # only a peer to measure against
   file(GLOB EYERAY_RAYS_BENCHMARK CONFIGURE_DEPENDS tests/bench/rays/*.cpp)
   add_executable(eyeray_rays_bench EXCLUDE_FROM_ALL ${EYERAY_RAYS_BENCHMARK})
