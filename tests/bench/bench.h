@@ -41,5 +41,6 @@ void benchFrames();
 void benchPick();
 void benchPictures();
 void benchStart();
+void benchSpheres();
 
 }

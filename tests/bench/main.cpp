@@ -1,5 +1,5 @@
-// eyeray_bench [coarse|cancel|frames|pick|pictures|start]…: the figures of tests/bench/README.md; all without
-// arguments.
+// eyeray_bench [coarse|cancel|frames|pick|pictures|start|spheres]…: the figures of tests/bench/README.md; all
+// without arguments.
 
 #include <fmt/format.h>
 #include <stdlib.h>
@@ -25,6 +25,7 @@ constexpr std::array kBenchmarks = {
     Benchmark{"coarse", eyeray::bench::benchCoarse},     Benchmark{"cancel", eyeray::bench::benchCancel},
     Benchmark{"frames", eyeray::bench::benchFrames},     Benchmark{"pick", eyeray::bench::benchPick},
     Benchmark{"pictures", eyeray::bench::benchPictures}, Benchmark{"start", eyeray::bench::benchStart},
+    Benchmark{"spheres", eyeray::bench::benchSpheres},
 };
 
 std::string processor() {
@@ -52,7 +53,7 @@ int main(int argc, char** argv) {
     for (const std::string_view argument : arguments)
         if (std::none_of(kBenchmarks.begin(), kBenchmarks.end(),
                          [&](const Benchmark& b) { return b.name == argument; })) {
-            fmt::print(stderr, "usage: eyeray_bench [coarse|cancel|frames|pick|pictures|start]…\n");
+            fmt::print(stderr, "usage: eyeray_bench [coarse|cancel|frames|pick|pictures|start|spheres]…\n");
             return 2;
         }
     try {

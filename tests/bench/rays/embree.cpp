@@ -2,6 +2,7 @@
 
 #include <embree3/rtcore.h>
 
+#include <algorithm>
 #include <atomic>
 #include <chrono>
 #include <cstring>
@@ -79,6 +80,65 @@ bool EmbreeScene::any(const Ray& ray) const {
     RTCRay shadow = converted(ray);
     rtcOccluded1(handles_->scene, &context, &shadow);
     return shadow.tfar < 0;
+}
+
+namespace {
+
+constexpr std::size_t kPacket = 16;
+
+struct Valid {
+    alignas(64) int lane[kPacket];
+
+    explicit Valid(std::size_t count) {
+        for (std::size_t i = 0; i < kPacket; ++i) lane[i] = i < count ? -1 : 0;
+    }
+};
+
+RTCIntersectContext coherent() {
+    RTCIntersectContext context;
+    rtcInitIntersectContext(&context);
+    context.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
+    return context;
+}
+
+void put(RTCRay16& packet, std::span<const Ray> rays) {
+    for (std::size_t i = 0; i < rays.size(); ++i) {
+        packet.org_x[i] = rays[i].origin.x, packet.org_y[i] = rays[i].origin.y;
+        packet.org_z[i] = rays[i].origin.z;
+        packet.dir_x[i] = rays[i].direction.x, packet.dir_y[i] = rays[i].direction.y;
+        packet.dir_z[i] = rays[i].direction.z;
+        packet.tnear[i] = rays[i].tMin, packet.tfar[i] = rays[i].tMax;
+        packet.mask[i] = 0xffffffff, packet.time[i] = 0, packet.flags[i] = 0;
+    }
+}
+
+}
+
+void EmbreeScene::closest(std::span<const Ray> rays, std::vector<float>& answers) const {
+    RTCIntersectContext context = coherent();
+    RTCRayHit16 packet{};
+    for (std::size_t first = 0; first < rays.size(); first += kPacket) {
+        const std::size_t count = std::min(kPacket, rays.size() - first);
+        put(packet.ray, rays.subspan(first, count));
+        std::fill_n(packet.hit.geomID, kPacket, RTC_INVALID_GEOMETRY_ID);
+        const Valid valid(count);
+        rtcIntersect16(valid.lane, handles_->scene, &context, &packet);
+        for (std::size_t i = 0; i < count; ++i)
+            answers[first + i] =
+                packet.hit.geomID[i] == RTC_INVALID_GEOMETRY_ID ? kInfinity : packet.ray.tfar[i];
+    }
+}
+
+void EmbreeScene::any(std::span<const Ray> rays, std::vector<float>& answers) const {
+    RTCIntersectContext context = coherent();
+    RTCRay16 packet{};
+    for (std::size_t first = 0; first < rays.size(); first += kPacket) {
+        const std::size_t count = std::min(kPacket, rays.size() - first);
+        put(packet, rays.subspan(first, count));
+        const Valid valid(count);
+        rtcOccluded16(valid.lane, handles_->scene, &context, &packet);
+        for (std::size_t i = 0; i < count; ++i) answers[first + i] = packet.tfar[i] < 0 ? 1.0F : 0.0F;
+    }
 }
 
 }

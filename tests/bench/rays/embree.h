@@ -2,6 +2,8 @@
 // Embree as a peer: the same mesh, the same rays, in the same process.
 
 #include <memory>
+#include <span>
+#include <vector>
 
 #include "core/geometry/mesh.h"
 #include "core/geometry/ray.h"
@@ -18,6 +20,9 @@ public:
     /// t of the closest hit, infinite if there is none.
     float closest(const Ray&) const;
     bool any(const Ray&) const;
+    /// The same of many rays, sixteen at a time and declared as coherent: t, or 1 and 0.
+    void closest(std::span<const Ray>, std::vector<float>& answers) const;
+    void any(std::span<const Ray>, std::vector<float>& answers) const;
     /// Of the last build.
     double buildSeconds() const { return buildSeconds_; }
     /// Memory that Embree took for the last build.

@@ -10,6 +10,7 @@
 
 #include "core/base/thread_pool.h"
 #include "tests/bench/rays/embree.h"
+#include "tests/bench/rays/packets.h"
 #include "tests/bench/rays/rays.h"
 
 namespace eyeray::bench {
@@ -31,7 +32,7 @@ struct Tracer {
     std::string name;
     std::function<void(const RaySet&, Answers&)> trace;
     double buildSeconds = 0;
-    std::size_t bytes = 0;
+    std::size_t bytes = 0; // 0: not of its own
 };
 
 template <class Index>
@@ -53,6 +54,21 @@ Tracer ours(std::string name, const TestMesh& test) {
     return {std::move(name), trace, seconds, scene->bytes};
 }
 
+Tracer inPackets(const TestMesh& test) {
+    auto scene = std::make_shared<const IndexedGeometry<Bvh8>>(
+        indexInstances<Bvh8>({{.placement = {}, .geometry = indexMesh<Bvh8>(test.mesh, {})}}, {}));
+    const auto trace = [scene](const RaySet& set, Answers& answers) { tracePackets(*scene, set, answers); };
+    return {.name = "bvh8, packets", .trace = trace};
+}
+
+Tracer embreePackets(const TestMesh& test) {
+    auto scene = std::make_shared<const EmbreeScene>(*test.mesh, false);
+    const auto trace = [scene](const RaySet& set, Answers& answers) {
+        set.anyHit ? scene->any(set.rays, answers) : scene->closest(set.rays, answers);
+    };
+    return {.name = "Embree, packets", .trace = trace};
+}
+
 Tracer embree(std::string name, const TestMesh& test, bool robust) {
     auto scene = std::make_shared<EmbreeScene>(*test.mesh, robust);
     const auto trace = [scene](const RaySet& set, Answers& answers) {
@@ -72,8 +88,12 @@ std::size_t differences(const Answers& a, const Answers& b) {
 
 void compare(const TestMesh& test) {
     const auto triangles = static_cast<double>(test.mesh->triangles.size());
-    const std::vector<Tracer> tracers{ours<Bvh2>("bvh2", test), ours<Bvh8>("bvh8", test),
-                                      embree("Embree", test, false), embree("Embree robust", test, true)};
+    const std::vector<Tracer> tracers{ours<Bvh2>("bvh2", test),
+                                      ours<Bvh8>("bvh8", test),
+                                      embree("Embree", test, false),
+                                      embree("Embree robust", test, true),
+                                      inPackets(test),
+                                      embreePackets(test)};
     const std::vector<RaySet> sets = raysFor(test);
     fmt::print("\n{:<20}{:>10}{:>10}{:>10}{:>10}{:>11}{:>9}\n", test.name, "eye", "shadow", "mirror",
                "diffuse", "build ms", "B/tri");
@@ -93,11 +113,26 @@ void compare(const TestMesh& test) {
     for (std::size_t i = 0; i < tracers.size(); ++i) {
         fmt::print("{:<20}", tracers[i].name);
         for (const double speed : speeds[i]) fmt::print("{:>10.2f}", speed);
-        fmt::print("{:>11.1f}{:>9.1f}\n", tracers[i].buildSeconds * 1e3,
-                   static_cast<double>(tracers[i].bytes) / triangles);
+        if (tracers[i].bytes > 0)
+            fmt::print("{:>11.1f}{:>9.1f}", tracers[i].buildSeconds * 1e3,
+                       static_cast<double>(tracers[i].bytes) / triangles);
+        fmt::print("\n");
     }
     fmt::print("{:<20}", "bvh8 / Embree");
     for (std::size_t k = 0; k < sets.size(); ++k) fmt::print("{:>10.2f}", speeds[1][k] / speeds[2][k]);
+    fmt::print("\n{:<20}", "the same of packets");
+    for (std::size_t k = 0; k < sets.size(); ++k) fmt::print("{:>10.2f}", speeds[4][k] / speeds[5][k]);
+    const Accel accel =
+        indexInstances<Bvh8>({{.placement = {}, .geometry = indexMesh<Bvh8>(test.mesh, {})}}, {});
+    std::vector<TraversalCounts> counts;
+    for (const RaySet& set : sets) counts.push_back(countTraversal(accel, set));
+    const auto perRay = [&](std::size_t k, std::uint64_t count) {
+        return static_cast<double>(count) / static_cast<double>(sets[k].rays.size());
+    };
+    fmt::print("\n{:<20}", "nodes a ray");
+    for (std::size_t k = 0; k < sets.size(); ++k) fmt::print("{:>10.1f}", perRay(k, counts[k].nodes));
+    fmt::print("\n{:<20}", "triangles a ray");
+    for (std::size_t k = 0; k < sets.size(); ++k) fmt::print("{:>10.1f}", perRay(k, counts[k].primitives));
     fmt::print("\n{:<20}", "differ from Embree");
     for (const std::size_t count : differ[2]) fmt::print("{:>10}", count);
     fmt::print("\n{:<20}", "of rays");
