@@ -10,6 +10,8 @@
 
 namespace eyeray {
 
+#include "core/base/bit_mixing.h"
+
 /// What a number is used for; one value for each place in the code that asks.
 enum class SamplePurpose : std::uint8_t { PixelFilter = 1, Lens, Lobe, Direction, Lamp, Roulette };
 
@@ -25,19 +27,10 @@ struct SampleAddress {
     std::uint32_t pass = 0;
 };
 
-/// Bijective mixing of 32 bits (C. Wellons 2018, hash "lowbias32").
-constexpr std::uint32_t hash32(std::uint32_t v) {
-    v ^= v >> 16U;
-    v *= 0x7feb352dU;
-    v ^= v >> 15U;
-    v *= 0x846ca68bU;
-    v ^= v >> 16U;
-    return v;
-}
+/// Bijective mixing of 32 bits.
+constexpr std::uint32_t hash32(std::uint32_t v) { return mixing::hash(v); }
 
-constexpr std::uint32_t hashCombine(std::uint32_t a, std::uint32_t b) {
-    return hash32(a ^ (hash32(b) + 0x9e3779b9U + (a << 6U) + (a >> 2U)));
-}
+constexpr std::uint32_t hashCombine(std::uint32_t a, std::uint32_t b) { return mixing::combine(a, b); }
 
 /// [0, 1) from the top 24 bits; never 1.
 constexpr float toUnitFloat(std::uint32_t bits) { return static_cast<float>(bits >> 8U) * 0x1p-24F; }

@@ -20,24 +20,24 @@ namespace eyeray::HWY_NAMESPACE {
 class PacketSlab {
 public:
     /// Of the rays whose bit is set in `asked`, one at least.
-    PacketSlab(const RaySpread& rays, std::uint32_t asked, const Bounds& world) {
-        coherent_ = closeTogether(rays, asked, world);
-        if (!coherent_) return;
+    PacketSlab(const RayLanes& rays, std::uint32_t asked, const Bounds& world) {
+        const FloatMask there = maskOf(asked);
         const auto first = static_cast<std::size_t>(std::countr_zero(asked));
-        tMin_ = rays.tMin.lane[first];
-        for (std::size_t lane = 0; lane < kLanes; ++lane) {
-            const RaySlab slab(rays.at(((asked >> lane) & 1U) != 0 ? lane : first), world);
-            tMin_ = std::min(tMin_, slab.tMin());
-            for (std::size_t i = 0; i < 3; ++i) {
-                Axis& axis = axes_[i];
-                if (lane == 0) axis.near = slab.near(i);
-                coherent_ &= axis.near == slab.near(i);
-                axis.originNear.lane[lane] = slab.originNear(i);
-                axis.originFar.lane[lane] = slab.originFar(i);
-                axis.inverse.lane[lane] = slab.inverse(i);
-            }
-        }
-        for (Axis& axis : axes_) axis.span();
+        const auto filled = [&](FloatLanes v)
+                                HWY_ATTR { return hn::IfThenElse(there, v, all(hn::ExtractLane(v, first))); };
+        const Vec3Lanes origin{filled(rays.origin.x), filled(rays.origin.y), filled(rays.origin.z)};
+        const Vec3Lanes direction{filled(rays.direction.x), filled(rays.direction.y),
+                                  filled(rays.direction.z)};
+        coherent_ = closeTogether(origin, direction, world);
+        if (!coherent_) return;
+        tMin_ = lowest(filled(rays.tMin));
+        const auto reach =
+            maxComponent(Vec3Lanes{hn::Max(all(world.hi.x) - origin.x, origin.x - all(world.lo.x)),
+                                   hn::Max(all(world.hi.y) - origin.y, origin.y - all(world.lo.y)),
+                                   hn::Max(all(world.hi.z) - origin.z, origin.z - all(world.lo.z))});
+        const auto growth = all(RaySlab::kGrowth) * reach;
+        coherent_ = axes_[0].set(origin.x, direction.x, growth) &
+                    axes_[1].set(origin.y, direction.y, growth) & axes_[2].set(origin.z, direction.z, growth);
     }
 
     /// Whether the rays run close together and to the same side along each axis; else the tests below are of
@@ -92,35 +92,35 @@ private:
         float farthestOrigin = 0, hindmostOrigin = 0; // along the rays
         float inverseLow = 0, inverseHigh = 0;
 
-        void span() {
-            const auto [low, high] = std::minmax_element(inverse.lane, inverse.lane + kLanes);
-            inverseLow = *low, inverseHigh = *high;
-            const auto ahead = [&](float a, float b) { return near == 0 ? a < b : a > b; };
-            farthestOrigin = *std::max_element(originNear.lane, originNear.lane + kLanes, ahead);
-            hindmostOrigin = *std::min_element(originFar.lane, originFar.lane + kLanes, ahead);
+        /// As the constructor of RaySlab; false if the rays do not all run to the same side.
+        bool set(FloatLanes origin, FloatLanes direction, FloatLanes growth) {
+            const auto largest = all(RaySlab::kLargest);
+            const auto inverses = hn::Min(hn::Max(all(1.0F) / direction, hn::Neg(largest)), largest);
+            const std::uint32_t backward = bitsOf(inverses < hn::Zero(FloatTag()));
+            near = backward == 0 ? 0 : 1;
+            const auto outward = near == 0 ? growth : hn::Neg(growth);
+            const auto nears = origin + outward, fars = origin - outward;
+            inverse = spread(inverses), originNear = spread(nears), originFar = spread(fars);
+            inverseLow = lowest(inverses), inverseHigh = highest(inverses);
+            farthestOrigin = near == 0 ? highest(nears) : lowest(nears);
+            hindmostOrigin = near == 0 ? lowest(fars) : highest(fars);
+            return backward == 0 || backward == (1U << kLanes) - 1;
         }
     };
 
-    static float width(const Spread& values, std::uint32_t asked) {
-        float low = kInfinity, high = -kInfinity;
-        for (; asked != 0; asked &= asked - 1) {
-            const float value = values.lane[std::countr_zero(asked)];
-            low = std::min(low, value), high = std::max(high, value);
-        }
-        return high - low;
+    static float lowest(FloatLanes v) { return hn::GetLane(hn::MinOfLanes(FloatTag(), v)); }
+    static float highest(FloatLanes v) { return hn::GetLane(hn::MaxOfLanes(FloatTag(), v)); }
+    static float widest(const Vec3Lanes& v) {
+        return std::max({highest(v.x) - lowest(v.x), highest(v.y) - lowest(v.y), highest(v.z) - lowest(v.z)});
     }
 
-    static bool closeTogether(const RaySpread& rays, std::uint32_t asked, const Bounds& world) {
+    static bool closeTogether(const Vec3Lanes& origin, const Vec3Lanes& direction, const Bounds& world) {
         // Wider packets meet so many boxes that single rays are faster: measured on reflections in knot and
         // flake.
         constexpr float kWidest = 0.03F;
         if (world.empty()) return true;
-        const auto widest = [&](const Spread3& v) {
-            return std::max({width(v.x, asked), width(v.y, asked), width(v.z, asked)});
-        };
-        const Vec3 direction = rays.direction.at(static_cast<std::size_t>(std::countr_zero(asked)));
-        return widest(rays.direction) <= kWidest * eyeray::maxComponent(glm::abs(direction)) &&
-               widest(rays.origin) <= kWidest * eyeray::maxComponent(world.hi - world.lo);
+        return widest(direction) <= kWidest * highest(maxComponent(abs(direction))) &&
+               widest(origin) <= kWidest * eyeray::maxComponent(world.hi - world.lo);
     }
 
     std::array<Axis, 3> axes_;
@@ -183,7 +183,7 @@ public:
 
     /// False, with nothing found, if the rays do not run close together.
     bool trace() {
-        const PacketSlab slab(RaySpread(rays_), open_, geometry_.top.bounds());
+        const PacketSlab slab(rays_, open_, geometry_.top.bounds());
         if (!slab.coherent()) return false;
         for (const std::uint32_t id : geometry_.always) inInstance(id, open_);
         if (open_ == 0) return true;
@@ -226,7 +226,7 @@ private:
 
     void inMesh(const IndexedMesh<Bvh8>& mesh, std::uint32_t id, const RayLanes& local, std::uint32_t rays) {
         const RaySpread single(local);
-        const PacketSlab slab(single, rays, mesh.index.bounds());
+        const PacketSlab slab(local, rays, mesh.index.bounds());
         const auto offerOf = [&](std::size_t lane) {
             return [this, lane, id](Hit hit) {
                 hit.instance = id;

@@ -53,14 +53,13 @@ public:
     float inverseFar(std::size_t axis) const { return inverseFar_[axis]; }
     // Rounding of three operations on either side.
     static constexpr float kLater = 1.0F + 2.0F * gammaBound(3);
-
-private:
     // Stands for 1/0: so a ray in the plane of a face is at 0 there, not at 0·∞ = NaN.
     static constexpr float kLargest = std::numeric_limits<float>::max();
     // The shear of a triangle's vertices rounds by up to 4 units of 2⁻²⁴ of their distance, the ray's map to
     // an instance by up to 12.
     static constexpr float kGrowth = 16 * 0x1p-24F;
 
+private:
     static float reach(const Vec3& origin, const Bounds& world) {
         const Vec3 farthest = glm::max(world.hi - origin, origin - world.lo);
         return std::max(farthest.x, std::max(farthest.y, farthest.z));

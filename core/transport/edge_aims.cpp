@@ -8,7 +8,7 @@
 namespace eyeray {
 
 void EyeRays::aimAtEdges(const World& world) {
-    aims_.assign(static_cast<std::size_t>(width_) * static_cast<std::size_t>(height_), Vec3(NAN));
+    aims_.assign(static_cast<std::size_t>(frame_.width) * static_cast<std::size_t>(frame_.height), Vec3(NAN));
     for (const Object& object : world.scene->objects) {
         const auto* const id = std::get_if<MeshId>(&object.geometry);
         if (id == nullptr || !object.visible) continue;
@@ -29,7 +29,7 @@ void EyeRays::aimAtEdges(const World& world) {
 void EyeRays::aimAlong(const Vec3& from, const Vec3& to) {
     const Vec3 a = onScreen(from), b = onScreen(to);
     if (!(a.z > 0 && b.z > 0)) return; // an end lies behind the eye
-    const float most = 4 * (width_ + height_);
+    const float most = 4 * (frame_.width + frame_.height);
     const auto steps = static_cast<int>(
         std::ceil(std::clamp(std::max(std::fabs(b.x - a.x), std::fabs(b.y - a.y)), 1.0F, most)));
     aimAt(from);
@@ -42,18 +42,19 @@ void EyeRays::aimAlong(const Vec3& from, const Vec3& to) {
 
 void EyeRays::aimAt(const Vec3& place) {
     const Vec3 at = onScreen(place);
-    if (!(at.x >= 0 && at.x < width_ && at.y >= 0 && at.y < height_)) return;
+    if (!(at.x >= 0 && at.x < frame_.width && at.y >= 0 && at.y < frame_.height)) return;
     Vec3& aim = aims_[pixelIndex(static_cast<int>(at.x), static_cast<int>(at.y))];
-    const auto distance = [&](const Vec3& p) { return glm::dot(p - eye_, p - eye_); };
+    const auto distance = [&](const Vec3& p) { return glm::dot(p - frame_.eye, p - frame_.eye); };
     if (!isFinite(aim) || distance(place) < distance(aim)) aim = place;
 }
 
 Vec3 EyeRays::onScreen(const Vec3& place) const {
-    const Vec3 seen = place - eye_;
-    const float depth = glm::dot(seen, forward_);
-    const float right = glm::dot(seen, right_) / (glm::dot(right_, right_) * depth),
-                up = glm::dot(seen, up_) / (glm::dot(up_, up_) * depth);
-    return {(right + 1) / 2 * width_, (1 - up) / 2 * height_, depth};
+    const Vec3 seen = place - frame_.eye;
+    const float depth = glm::dot(seen, frame_.forward);
+    const float right =
+                    glm::dot(seen, frame_.halfRight) / (glm::dot(frame_.halfRight, frame_.halfRight) * depth),
+                up = glm::dot(seen, frame_.halfUp) / (glm::dot(frame_.halfUp, frame_.halfUp) * depth);
+    return {(right + 1) / 2 * frame_.width, (1 - up) / 2 * frame_.height, depth};
 }
 
 }

@@ -52,6 +52,9 @@ struct RayStream {
 struct StreamMemory {
     std::vector<std::unique_ptr<RayStream>> streams; // by depth
     std::vector<int> treeNodes;                      // of each sample's tree
+    std::vector<std::uint32_t> x, y;                 // of each sample's pixel
+
+    StreamMemory() : x(RayStream::kCapacity + RayStream::kPadding), y(x.size()) {}
 
     RayStream& stream(std::size_t depth) {
         while (streams.size() <= depth) streams.push_back(std::make_unique<RayStream>());

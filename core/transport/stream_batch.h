@@ -6,6 +6,7 @@
 #define EYERAY_STREAM_BATCH_H
 #endif
 
+#include "core/base/bit_lanes.h"
 #include "core/base/lanes.h"
 #include "core/transport/ray_stream.h"
 
@@ -17,6 +18,9 @@ HWY_INLINE FloatLanes load(const std::vector<float>& column, std::size_t first) 
 }
 HWY_INLINE Vec3Lanes load(const Columns3& columns, std::size_t first) {
     return {load(columns.x, first), load(columns.y, first), load(columns.z, first)};
+}
+HWY_INLINE BitLanes load(const std::vector<std::uint32_t>& column, std::size_t first) {
+    return hn::LoadU(BitTag(), &column[first]);
 }
 HWY_INLINE void store(FloatLanes values, std::vector<float>& column, std::size_t first) {
     hn::StoreU(values, FloatTag(), &column[first]);

@@ -32,7 +32,7 @@ public:
     void trace(std::size_t depth) {
         RayStream& rays = memory_.stream(depth);
         counts_.deepest = std::max(counts_.deepest, static_cast<int>(depth));
-        for (std::size_t i = 0; i < rays.size; ++i)
+        for (std::size_t i = 0; i < rays.size && mayOutgrow_; ++i)
             outgrown_ |= ++memory_.treeNodes[rays.sample[i]] > kMaxTreeNodes;
         if (outgrown_ || context_.stop.stop_requested()) return;
         findHits(rays);
@@ -249,6 +249,8 @@ private:
     RayCounts& counts_;
     StreamMemory& memory_;
     bool outgrown_ = false;
+    // Two rays go on from a hit at most.
+    const bool mayOutgrow_ = (std::uint64_t{2} << context_.settings.maxDepth) - 1 > kMaxTreeNodes;
 };
 
 }

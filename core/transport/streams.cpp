@@ -2,6 +2,9 @@
 #define HWY_TARGET_INCLUDE "core/transport/streams.cpp"
 #include <hwy/foreach_target.h>
 
+#include <numeric>
+
+#include "core/transport/eye_ray_lanes.h"
 #include "core/transport/stream_tracer.h"
 #include "core/transport/streams.h"
 #include "core/transport/valid_sample.h"
@@ -13,23 +16,17 @@ namespace eyeray::HWY_NAMESPACE {
 template <class Index>
 class TileSamples {
 public:
-    TileSamples(const TraceContext& context, const IndexedGeometry<Index>& geometry, TileResult& result)
-        : context_(context), result_(result), eye_(memory().stream(0)),
-          tracer_(context, geometry, result.counts, memory()) {
+    TileSamples(const TraceContext& context, const IndexedGeometry<Index>& geometry, int pass,
+                TileResult& result)
+        : context_(context), pass_(static_cast<std::uint32_t>(pass)), result_(result),
+          eye_(memory().stream(0)), tracer_(context, geometry, result.counts, memory()) {
         eye_.size = 0;
     }
 
-    void add(int x, int y, int pass) {
-        const SampleAddress address{context_.seed, static_cast<std::uint32_t>(x),
-                                    static_cast<std::uint32_t>(y), static_cast<std::uint32_t>(pass)};
-        const Ray ray = context_.eyeRays.through(x, y, pixelSample(address));
-        const std::size_t i = eye_.size++;
-        eye_.origin.set(i, ray.origin);
-        eye_.direction.set(i, ray.direction);
-        eye_.weight.set(i, Color(1));
-        eye_.media[i] = context_.eyeMedia;
-        eye_.sample[i] = static_cast<std::uint32_t>(i);
-        if (eye_.size == RayStream::kCapacity) trace();
+    void add(int x, int y) {
+        memory().x[eye_.size] = static_cast<std::uint32_t>(x);
+        memory().y[eye_.size] = static_cast<std::uint32_t>(y);
+        if (++eye_.size == RayStream::kCapacity) trace();
     }
 
     /// True if no tree was too large.
@@ -44,7 +41,28 @@ private:
         return memory;
     }
 
+    void makeEyeRays() {
+        const EyeRays& rays = context_.eyeRays;
+        for (std::size_t i = 0; i < eye_.size && !rays.aimed(); i += kLanes) {
+            const BitLanes x = load(memory().x, i), y = load(memory().y, i);
+            const PlaceLanes inPixel = pixelSample(context_.seed, x, y, pass_);
+            store(eyeDirections(rays.frame(), x, y, inPixel), eye_.direction, i);
+            store(all(rays.frame().eye), eye_.origin, i);
+        }
+        for (std::size_t i = 0; i < eye_.size && rays.aimed(); ++i) {
+            const SampleAddress address{context_.seed, memory().x[i], memory().y[i], pass_};
+            const Ray ray = rays.through(static_cast<int>(address.x), static_cast<int>(address.y),
+                                         eyeray::pixelSample(address));
+            eye_.origin.set(i, ray.origin);
+            eye_.direction.set(i, ray.direction);
+        }
+        for (std::size_t i = 0; i < eye_.size; i += kLanes) store(all(Color(1)), eye_.weight, i);
+        std::fill_n(eye_.media.begin(), eye_.size, context_.eyeMedia);
+        std::iota(eye_.sample.begin(), eye_.sample.begin() + static_cast<std::ptrdiff_t>(eye_.size), 0U);
+    }
+
     void trace() {
+        makeEyeRays();
         memory().treeNodes.assign(eye_.size, 0);
         result_.counts[RayKind::Eye] += eye_.size;
         tracer_.trace(0);
@@ -54,6 +72,7 @@ private:
     }
 
     const TraceContext& context_;
+    const std::uint32_t pass_;
     TileResult& result_;
     RayStream& eye_;
     StreamTracer<Index> tracer_;
@@ -63,9 +82,9 @@ bool traceTileByStreams(const TraceContext& context, int pass, TileResult& resul
     const Tile& tile = result.tile;
     return std::visit(
         [&]<class Index>(const IndexedGeometry<Index>& geometry) {
-            TileSamples<Index> samples(context, geometry, result);
+            TileSamples<Index> samples(context, geometry, pass, result);
             eachTraced(tile, [&](int x, int y) {
-                if (!context.stop.stop_requested()) samples.add(x, y, pass);
+                if (!context.stop.stop_requested()) samples.add(x, y);
             });
             return samples.finish();
         },

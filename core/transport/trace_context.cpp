@@ -44,14 +44,16 @@ TraceSettings withoutNeedless(TraceSettings settings, const SceneNeeds& needs) {
 }
 
 EyeRays::EyeRays(const Camera& camera, const DVec3& origin, int width, int height, FaultSet faults)
-    : eye_(camera.eye - origin), width_(static_cast<float>(width)), height_(static_cast<float>(height)) {
+    : frame_{.eye = Vec3(camera.eye - origin),
+             .width = static_cast<float>(width),
+             .height = static_cast<float>(height)} {
     const CameraAxes axes = axesOf(camera);
     const double fov = faults.has(Fault::DegreesAsRadians) ? degrees(camera.verticalFov) : camera.verticalFov;
     DVec2 half = imagePlaneHalfExtents(fov, static_cast<double>(width) / height);
     if (faults.has(Fault::HorizontalFov)) half *= static_cast<double>(height) / width;
-    right_ = Vec3(axes.right * half.x);
-    up_ = Vec3(axes.up * half.y);
-    forward_ = Vec3(-axes.backward);
+    frame_.halfRight = Vec3(axes.right * half.x);
+    frame_.halfUp = Vec3(axes.up * half.y);
+    frame_.forward = Vec3(-axes.backward);
     lensRight_ = Vec3(axes.right * camera.lensRadius);
     lensUp_ = Vec3(axes.up * camera.lensRadius);
     focusDistance_ = static_cast<float>(camera.focusDistance > 0 ? camera.focusDistance : camera.distance());
@@ -60,18 +62,18 @@ EyeRays::EyeRays(const Camera& camera, const DVec3& origin, int width, int heigh
 Ray EyeRays::through(int x, int y, const Vec2& inPixel) const {
     if (!aims_.empty())
         if (const Vec3& aim = aims_[pixelIndex(x, y)]; isFinite(aim))
-            return {eye_, glm::normalize(aim - eye_)};
-    const float right = (2 * (static_cast<float>(x) + inPixel.x) - width_) / width_;
-    const float up = (height_ - 2 * (static_cast<float>(y) + inPixel.y)) / height_;
-    return {eye_, glm::normalize(forward_ + right * right_ + up * up_)};
+            return {frame_.eye, glm::normalize(aim - frame_.eye)};
+    const float right = (2 * (static_cast<float>(x) + inPixel.x) - frame_.width) / frame_.width;
+    const float up = (frame_.height - 2 * (static_cast<float>(y) + inPixel.y)) / frame_.height;
+    return {frame_.eye, glm::normalize(frame_.forward + right * frame_.halfRight + up * frame_.halfUp)};
 }
 
 Ray EyeRays::fromLens(const Ray& through, const Vec2& u) const {
     if (!hasLens()) return through;
     const float radius = std::sqrt(u.x), angle = 2 * kPi * u.y;
     const Vec3 place = radius * (std::cos(angle) * lensRight_ + std::sin(angle) * lensUp_);
-    const Vec3 sharp = through.direction * (focusDistance_ / glm::dot(through.direction, forward_));
-    return {eye_ + place, glm::normalize(sharp - place)};
+    const Vec3 sharp = through.direction * (focusDistance_ / glm::dot(through.direction, frame_.forward));
+    return {frame_.eye + place, glm::normalize(sharp - place)};
 }
 
 TraceContext::TraceContext(std::shared_ptr<const World> traced, const Camera& camera,

@@ -31,6 +31,15 @@ public:
     Ray fromLens(const Ray& through, const Vec2& u) const;
     bool hasLens() const { return lensRight_ != Vec3(0); }
 
+    /// What `through` goes by in a picture whose rays are not aimed: the ray through the place (right, up) of
+    /// the picture's plane, both from −1 to 1, runs along forward + right·halfRight + up·halfUp.
+    struct Frame {
+        Vec3 eye{0}, halfRight{0}, halfUp{0}, forward{0};
+        float width = 0, height = 0; // pixels
+    };
+    const Frame& frame() const { return frame_; }
+    bool aimed() const { return !aims_.empty(); }
+
     /// From now on the rays of pixels that an edge of a mesh crosses go exactly at a place on it: at its ends
     /// and between, the nearest to the eye. Random rays hardly ever meet an edge, which is why leaks go
     /// unseen.
@@ -41,11 +50,11 @@ private:
     void aimAt(const Vec3& place);
     Vec3 onScreen(const Vec3& place) const; // x and y in pixels, and the depth
     std::size_t pixelIndex(int x, int y) const {
-        return static_cast<std::size_t>(y) * static_cast<std::size_t>(width_) + static_cast<std::size_t>(x);
+        return static_cast<std::size_t>(y) * static_cast<std::size_t>(frame_.width) +
+               static_cast<std::size_t>(x);
     }
 
-    Vec3 eye_, right_, up_, forward_;
-    float width_, height_;
+    Frame frame_;
     Vec3 lensRight_, lensUp_;
     float focusDistance_;
     std::vector<Vec3> aims_; // by pixel; NaN where there is no edge. Empty: rays go where they are told to
