@@ -249,8 +249,8 @@ private:
     RayCounts& counts_;
     StreamMemory& memory_;
     bool outgrown_ = false;
-    // Two rays go on from a hit at most.
-    const bool mayOutgrow_ = (std::uint64_t{2} << context_.settings.maxDepth) - 1 > kMaxTreeNodes;
+    // Two rays go on from a hit at most, so that a tree has less than 2^(depth + 1) of them.
+    const bool mayOutgrow_ = context_.settings.maxDepth + 1 > std::countr_zero(unsigned{kMaxTreeNodes});
 };
 
 }

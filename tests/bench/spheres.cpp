@@ -36,10 +36,10 @@ void benchSpheres() {
     document.render.height = kHeight / 2;
     document.render.stop.samples = 1;
     document.render.coarse = false;
-    const Scene many = document.scene;
+    const Scene many = *document.scene;
     printHeading("Pictures of n balls, 640x360, one sample, one thread", "ms");
     for (int count = 100; count <= 1'000'000; count *= 10) {
-        const Scene scene = withBalls(many, count);
+        const auto scene = std::make_shared<const Scene>(withBalls(many, count));
         const auto start = Clock::now();
         const auto world = buildWorld(scene, {AccelKind::Bvh8});
         const double built = secondsSince(start) * 1e3;
