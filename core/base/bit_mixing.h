@@ -1,5 +1,5 @@
-// Hashes of 32 bits and the scrambled Sobol' sequence, for one number (`Bits` is std::uint32_t: sampling.h) or
-// for several at once (BitLanes: bit_lanes.h, which includes this for each instruction set anew).
+// Hashes of 32 bits and the scrambled Sobol' sequence, for one number (`Bits` is std::uint32_t: sampling.h)
+// or for several at once (BitLanes: bit_lanes.h, which includes this for each instruction set anew).
 
 namespace mixing {
 

@@ -47,8 +47,6 @@ std::optional<Hit> detail::finishTriangle(const TriangleCorners& corners, const 
     const double distance = glm::dot(normal, toDouble(corners[0]) - toDouble(shear.origin));
     const double approach = glm::dot(normal, toDouble(shear.direction));
     const Ahead ahead(corners, shear);
-    const bool planeBehind = std::signbit(approach) != (distance < 0);
-    if (planeBehind && ahead.nearest <= 0) return {};
     // Kept within the t of its corners: so it is bounded also for a triangle seen edge-on.
     const double atNearest = ahead.nearest / ahead.along, atFarthest = ahead.farthest / ahead.along;
     const auto t = static_cast<float>(std::min(std::max(atNearest, distance / approach), atFarthest));

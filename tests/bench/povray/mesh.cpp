@@ -1,4 +1,5 @@
-// eyeray_pov_mesh > knot.inc: the mesh of mirror.gltf and glass.gltf as POV-Ray's mesh2 without its closing brace.
+// eyeray_pov_mesh > knot.inc: the mesh of mirror.gltf and glass.gltf as POV-Ray's mesh2 without its closing
+// brace.
 
 #include <fmt/format.h>
 
