@@ -1,5 +1,5 @@
 // labels: robustness
-// A person who does everything at once, for EYERAY_SOAK_SECONDS (15 unless told): orbits, edits, opens scenes
+// A person who does everything at once, for EYERAY_SOAK_SECONDS (30 unless told): orbits, edits, opens scenes
 // good and bad, exports, while the picture is being traced on 1, 2 and 8 threads.
 
 #include <cstdlib>
@@ -21,7 +21,7 @@ using Clock = std::chrono::steady_clock;
 double soakSeconds() {
     const char* const told =
         std::getenv("EYERAY_SOAK_SECONDS"); // NOLINT(concurrency-mt-unsafe): nothing sets it
-    return told != nullptr ? std::atof(told) : 15;
+    return told != nullptr ? std::atof(told) : 30;
 }
 
 std::ptrdiff_t openFiles() {
