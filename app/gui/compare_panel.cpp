@@ -56,15 +56,16 @@ void anySettings(const Widgets& ui, const Comparison& comparison) {
 
 void equalShare(const Widgets& ui, const Comparison& comparison) {
     labelled("Equal");
-    for (std::size_t i = 0; i < kEqualShareNames.size(); ++i) {
-        if (i > 0) ImGui::SameLine();
-        const std::string name(kEqualShareNames[i]);
-        if (ImGui::RadioButton(name.c_str(), comparison.equal == static_cast<EqualShare>(i)))
+    const auto choice = [&](EqualShare share, const char* tooltip) {
+        const std::string name(kEqualShareNames[static_cast<std::size_t>(share)]);
+        if (ImGui::RadioButton(name.c_str(), comparison.equal == share))
             ui.part({"compare"}, "equal", name, false);
         ui.mark("compare equal=" + name);
-        ui.tooltip(i == 0 ? "both sides have the same number of samples, of the same random numbers"
-                          : "both sides are traced for the same time: the faster one has more samples");
-    }
+        ui.tooltip(tooltip);
+    };
+    choice(EqualShare::Samples, "both sides have the same number of samples, of the same random numbers");
+    ImGui::SameLine();
+    choice(EqualShare::Seconds, "both sides are traced for the same time: the faster one has more samples");
 }
 
 void countCell(std::uint64_t count, const ImVec4& color) {
