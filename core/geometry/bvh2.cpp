@@ -113,8 +113,9 @@ Nodes treeByThreads(const Part& root, const Splitter& splitter, const std::stop_
         }
         level = std::move(next);
     }
-    std::ranges::stable_sort(small, std::greater<>{}, &Part::size); // the last ones to end are short
-    std::vector<Nodes> trees(small.size());
+    std::ranges::sort(small, std::greater<>{},
+                      [](const Part& part) { return std::pair(part.size(), part.begin); });
+    std::vector<Nodes> trees(small.size()); // the last ones to be begun are short
     pool.forEach(static_cast<int>(small.size()), stop, [&](int i) {
         trees[static_cast<std::size_t>(i)] = treeOf(small[static_cast<std::size_t>(i)], splitter, stop);
     });
