@@ -115,6 +115,10 @@ TEST(Adaptive, LimitsAreVarianceOverSquaredErrorWithinAStage) {
 }
 
 /// As the header says it, pixel by pixel.
+std::size_t place(int x, int y, int width) {
+    return static_cast<std::size_t>(y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x);
+}
+
 double surroundingVariance(const std::vector<double>& variances, int width, int height, int x, int y,
                            int passes) {
     const auto around = [&](int reach) {
@@ -122,7 +126,7 @@ double surroundingVariance(const std::vector<double>& variances, int width, int 
         int count = 0;
         for (int j = std::max(0, y - reach); j <= std::min(height - 1, y + reach); ++j)
             for (int i = std::max(0, x - reach); i <= std::min(width - 1, x + reach); ++i)
-                if (i != x || j != y) sum += variances[static_cast<std::size_t>(j * width + i)], ++count;
+                if (i != x || j != y) sum += variances[place(i, j, width)], ++count;
         return sum / count;
     };
     const double weight = 4.0 / passes;
@@ -132,13 +136,13 @@ double surroundingVariance(const std::vector<double>& variances, int width, int 
 TEST(Adaptive, SurroundingVarianceIsOfTheNeighboursAlone) {
     constexpr int kWidth = 50, kHeight = 23;
     cases::Random random(1);
-    std::vector<double> variances(kWidth * kHeight);
+    std::vector<double> variances(place(0, kHeight, kWidth));
     for (double& variance : variances) variance = random.uniform(0, 1);
     for (const int passes : {4, 64}) {
         const std::vector<double> around = surroundingVariances(variances, kWidth, kHeight, passes);
         for (int y = 0; y < kHeight; ++y)
             for (int x = 0; x < kWidth; ++x)
-                ASSERT_NEAR(around[static_cast<std::size_t>(y * kWidth + x)],
+                ASSERT_NEAR(around[place(x, y, kWidth)],
                             surroundingVariance(variances, kWidth, kHeight, x, y, passes), 1e-12);
     }
     EXPECT_EQ(surroundingVariances(std::vector{0.25}, 1, 1, 4), std::vector{0.25}) << "alone";
@@ -158,7 +162,7 @@ TEST(Adaptive, SamplesGoWhereTheNoiseIs) {
     double noisy = 0;
     for (int y = 0; y < kHeight; ++y)
         for (int x = 0; x < kWidth; ++x) {
-            const int count = samples[static_cast<std::size_t>(y * kWidth + x)];
+            const int count = samples[place(x, y, kWidth)];
             if (x < kEdge - 16) noisy += count;
             ASSERT_TRUE(x < kEdge + 16 || count == kAdaptivePilot) << count;
             ASSERT_TRUE(x < kEdge || count < kNeeded) << count;

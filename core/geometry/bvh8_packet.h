@@ -36,8 +36,9 @@ public:
                                    hn::Max(all(world.hi.y) - origin.y, origin.y - all(world.lo.y)),
                                    hn::Max(all(world.hi.z) - origin.z, origin.z - all(world.lo.z))});
         const auto growth = all(RaySlab::kGrowth) * reach;
-        coherent_ = axes_[0].set(origin.x, direction.x, growth) &
-                    axes_[1].set(origin.y, direction.y, growth) & axes_[2].set(origin.z, direction.z, growth);
+        coherent_ = axes_[0].set(origin.x, direction.x, growth) &&
+                    axes_[1].set(origin.y, direction.y, growth) &&
+                    axes_[2].set(origin.z, direction.z, growth);
     }
 
     /// Whether the rays run close together and to the same side along each axis; else the tests below are of

@@ -149,26 +149,28 @@ bool traverse(const Bvh8& tree, const Ray& ray, const float& limit, const Leaf& 
             std::uint32_t met = slab.enterChildren(node, limit, enters);
             log.node();
             log.boxes(child, Bvh8::childrenOf(node), met);
-            const auto take = [&] {
-                const auto lane = static_cast<std::size_t>(std::countr_zero(met));
-                met &= met - 1;
+            const auto lowest = [&](std::uint32_t lanes) {
+                const auto lane = static_cast<std::size_t>(std::countr_zero(lanes));
                 return PendingChild(enters[lane], node.child[lane]);
             };
             if (met != 0) {
-                PendingChild next = take();
-                for (const std::size_t bottom = pending; met != 0; ++pending) {
-                    PendingChild other = take();
-                    std::size_t place = pending;
-                    if constexpr (kOrder == Order::Nearest) {
-                        const PendingChild nearer = std::min(next, other);
-                        other = std::max(next, other);
-                        next = nearer;
-                        for (; place > bottom && stack[place - 1] < other; --place)
+                const PendingChild first = lowest(met);
+                met &= met - 1;
+                if constexpr (kOrder == Order::Any) {
+                    for (; met != 0; met &= met - 1) stack[pending++] = lowest(met);
+                    child = first.child();
+                } else {
+                    PendingChild next = first;
+                    for (const std::size_t bottom = pending; met != 0; met &= met - 1) {
+                        const PendingChild other = lowest(met), farther = std::max(next, other);
+                        next = std::min(next, other);
+                        std::size_t place = pending++;
+                        for (; place > bottom && stack[place - 1] < farther; --place)
                             stack[place] = stack[place - 1];
+                        stack[place] = farther;
                     }
-                    stack[place] = other;
+                    child = next.child();
                 }
-                child = next.child();
                 continue;
             }
         }
