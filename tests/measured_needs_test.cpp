@@ -178,7 +178,7 @@ TEST(MeasuredNeeds, LeaveOutTheLampBehindAWall) {
 }
 
 TEST(MeasuredNeeds, CountSamplesByWhatMoreWouldChange) {
-    Scene flat = underSky(Color(0.3F));
+    const Scene flat = underSky(Color(0.3F));
     const MeasuredNeeds ofSky = measured(planFor(flat, toDepth(0), 256));
     ASSERT_NE(itemOf(ofSky, "samples"), nullptr);
     EXPECT_EQ(itemOf(ofSky, "samples")->to, "1");
@@ -227,7 +227,7 @@ TEST(MeasuredNeeds, WithNoToleranceChangeNothingAtAll) {
 }
 
 TEST(MeasuredNeeds, EndAtOnceWhenAskedTo) {
-    std::stop_source stop;
+    const std::stop_source stop;
     stop.request_stop();
     const NeedsPlan plan = planFor(periscope(0.9F), toDepth(12));
     EXPECT_FALSE(measureNeeds(plan, kQuiet, stop.get_token()));

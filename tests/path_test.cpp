@@ -142,7 +142,7 @@ TEST(Path, WithGlowingObjectsAgreesWithAPathTracerThatKnowsNoLamps) {
 std::pair<double, double> noiseOf(const Scene& scene) {
     constexpr int kSide = 12, kPasses = 400;
     const Tracing tracing(scene, by(Method::Path, 2), kSide, kSide);
-    std::vector<double> sums(kSide * kSide, 0), squares = sums;
+    std::vector<double> sums(std::size_t{kSide} * kSide, 0), squares = sums;
     for (int pass = 0; pass < kPasses; ++pass) {
         const auto radiance = tracing.radiance(pass);
         for (std::size_t i = 0; i < sums.size(); ++i) {

@@ -124,8 +124,8 @@ void compare(const TestMesh& test) {
     for (std::size_t k = 0; k < sets.size(); ++k) fmt::print("{:>10.2f}", speeds[4][k] / speeds[5][k]);
     const Accel accel =
         indexInstances<Bvh8>({{.placement = {}, .geometry = indexMesh<Bvh8>(test.mesh, {})}}, {});
-    std::vector<TraversalCounts> counts;
-    for (const RaySet& set : sets) counts.push_back(countTraversal(accel, set));
+    std::vector<TraversalCounts> counts(sets.size());
+    for (std::size_t k = 0; k < sets.size(); ++k) counts[k] = countTraversal(accel, sets[k]);
     const auto perRay = [&](std::size_t k, std::uint64_t count) {
         return static_cast<double>(count) / static_cast<double>(sets[k].rays.size());
     };
