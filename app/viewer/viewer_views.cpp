@@ -161,7 +161,7 @@ bool Viewer::tracing(int samples) const {
     const RenderStatus status = session_->status();
     const int compared = comparison_.change() ? comparison_.change()->samples : 0;
     return (status.active() && status.samples < samples) || layers_.active() || photons_.ends() ||
-           (comparison_.active() && (compared < samples || comparison_.measuring()));
+           (comparison_.active() && (compared < samples || !status.active() || comparison_.measuring()));
 }
 
 }
