@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <numeric>
 
 #include "core/image/metrics.h"
@@ -112,6 +113,25 @@ TEST(Adaptive, LimitsAreVarianceOverSquaredErrorWithinAStage) {
     const std::vector<double> variances = {0, 0.07, 0.11, 0.16, 7, 7};
     const std::vector<int> samples = {8, 8, 8, 8, 8, 5};
     EXPECT_EQ(nextLimits(variances, samples, 8, 0.1), (std::vector{8, 8, 11, 16, 16, 5}));
+}
+
+TEST(Adaptive, LikelySamplesAreThoseThatPixelsEndWith) {
+    // a sky, and beside it twenty times the noise that one sample may have
+    cases::Random random(5);
+    const auto value = [&](int x, int, int) {
+        return x < kSide / 2 ? Color(0.5F) : Color(random.uniform(0, 1) < 0.5F ? 0.3F : 0.7F);
+    };
+    Film looked(kSide, kSide), ended(kSide, kSide);
+    for (int pass = 0; pass < 16; ++pass)
+        addPass(looked, pass, [&](int x, int y) { return value(x, y, pass); });
+    const int passes =
+        sampled(ended, value, [&](int stage) { decideSamples(ended, stage, kTolerance, kLinear); });
+    constexpr int kMost = 1000;
+    const double likely = meanOf(likelySamples(looked, 16, kTolerance, kLinear, kMost));
+    EXPECT_NEAR(likely, meanOf(ended.samples(passes)), 0.15 * likely);
+    EXPECT_NEAR(likely, (kAdaptivePilot + 100) / 2.0, 0.15 * likely)
+        << "0.2² / 0.02² = 100 where it is noisy";
+    EXPECT_EQ(std::ranges::max(likelySamples(looked, 16, kTolerance, kLinear, 20)), 20);
 }
 
 /// As the header says it, pixel by pixel.

@@ -187,6 +187,26 @@ TEST(MeasuredNeeds, CountSamplesByWhatMoreWouldChange) {
     EXPECT_GT(ofEdges.needed.samples, 4) << "an edge needs more than a sky";
 }
 
+TEST(MeasuredNeeds, CountTheSamplesThatAdaptiveSamplingTakesByItself) {
+    NeedsPlan plan = planFor(ballByAWall(matte(Color(0.5F))), toDepth(0), 256);
+    plan.settings.stop.error = 0.02;
+    plan.settings.stop.adaptive = true;
+    const MeasuredNeeds needs = measured(plan);
+    const NeedItem* const item = itemOf(needs, "samples");
+    ASSERT_NE(item, nullptr);
+
+    ThreadPool pool(1);
+    const TraceContext context(buildWorld(plan.scene, {}), plan.camera, plan.settings.trace, kWidth, kHeight,
+                               0, {});
+    PassLoop adaptive(makeIntegrator(plan.settings.trace.method), context, pool);
+    adaptive.sampleAdaptively(plan.settings.stop.error, plan.settings.display);
+    while (adaptive.passes() < 256) ASSERT_TRUE(adaptive.pass(1e6, {}));
+    const std::string stated = "256, on average ";
+    ASSERT_EQ(item->from.rfind(stated, 0), 0U) << item->from;
+    EXPECT_NEAR(std::stod(item->from.substr(stated.size())), adaptive.samplesPerPixel(),
+                0.2 * adaptive.samplesPerPixel());
+}
+
 TEST(MeasuredNeeds, TakeBackWhatFailsInTheWholePicture) {
     const NeedsPlan plan = planFor(periscope(0.9F), toDepth(12));
     MeasuredNeeds needs = measured(plan);

@@ -44,6 +44,11 @@ private:
     std::vector<double> sums_;
 };
 
+std::vector<double> surroundingVariancesOf(const Film& film, int passes, const DisplaySettings& display) {
+    return surroundingVariances(film.displayedVariances(passes, display), film.width(), film.height(),
+                                passes);
+}
+
 }
 
 bool isAdaptiveStage(int passes) {
@@ -76,11 +81,20 @@ std::vector<int> nextLimits(std::span<const double> variances, std::span<const i
     return limits;
 }
 
+std::vector<int> likelySamples(const Film& film, int passes, double error, const DisplaySettings& display,
+                               int most) {
+    const std::vector<double> variances = surroundingVariancesOf(film, passes, display);
+    const double least = std::min(kAdaptivePilot, most);
+    std::vector<int> samples(variances.size());
+    std::transform(variances.begin(), variances.end(), samples.begin(), [&](double variance) {
+        return static_cast<int>(std::clamp<double>(std::ceil(variance / (error * error)), least, most));
+    });
+    return samples;
+}
+
 void decideSamples(Film& film, int passes, double error, const DisplaySettings& display) {
-    const std::vector<int> samples = film.samples(passes);
-    const std::vector<double> variances =
-        surroundingVariances(film.displayedVariances(passes, display), film.width(), film.height(), passes);
-    film.limit(nextLimits(variances, samples, passes, error));
+    film.limit(
+        nextLimits(surroundingVariancesOf(film, passes, display), film.samples(passes), passes, error));
 }
 
 }

@@ -18,6 +18,8 @@ namespace eyeray {
 
 /// Passes before the first decision: the fewest samples that a pixel has.
 inline constexpr int kAdaptivePilot = 4;
+/// Passes before a picture whose pixels all end together first looks whether its error is small enough.
+inline constexpr int kErrorPilot = 16;
 
 /// Whether something is decided after so many passes: 4, 8, 16, …
 bool isAdaptiveStage(int passes);
@@ -33,6 +35,10 @@ std::vector<double> surroundingVariances(std::span<const double> variances, int 
 /// `error`: from `samples`, that it has had, if that is enough or it has ended already, to 2 · passes.
 std::vector<int> nextLimits(std::span<const double> variances, std::span<const int> samples, int passes,
                             double error);
+
+/// How many samples each pixel is likely to end with, by what is known after `passes`: no more than `most`,
+/// in all of whose passes it would take part.
+std::vector<int> likelySamples(const Film&, int passes, double error, const DisplaySettings&, int most);
 
 /// Decides on the film after so many passes. To be called between passes.
 void decideSamples(Film&, int passes, double error, const DisplaySettings&);

@@ -15,8 +15,7 @@ using Phase = RenderStatus::Phase;
 
 constexpr double kCoarseSeconds = 0.012; // what a coarse picture may take, to fit a frame with all else
 constexpr int kCoarsestStep = 32, kFinestStep = 4, kFirstStep = 16;
-constexpr int kErrorPilot = 16,
-              kErrorInterval = 8; // passes before the error is first looked at, and between looks
+constexpr int kErrorInterval = 8; // passes between looks at the error
 
 double secondsSince(Clock::time_point start) {
     return std::chrono::duration<double>(Clock::now() - start).count();

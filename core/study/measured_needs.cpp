@@ -17,6 +17,10 @@ constexpr std::string_view kIndexStep = "index", kSamplesStep = "samples", kScen
 
 int stepsOf(double tolerance) { return static_cast<int>(std::floor(255 * tolerance + 1e-9)); }
 
+std::string samplesText(int most, double mean) {
+    return most - mean < 0.5 ? fmt::format("{}", most) : fmt::format("{}, on average {:.1f}", most, mean);
+}
+
 /// What measuring and checking share.
 class Needs {
 public:
@@ -195,16 +199,16 @@ private:
         step_(std::string(kSamplesStep));
         const EnoughSamples samples =
             studio_.enoughSamples(result_.needed, plan_.tolerance - result_.error.flip, leastSamples_);
-        result_.secondsAsSet = asSet_.secondsPerSample * samples.asSet;
-        result_.secondsNeeded = now_.secondsPerSample * samples.enough;
+        result_.secondsAsSet = asSet_.secondsPerSample * samples.meanAsSet;
+        result_.secondsNeeded = now_.secondsPerSample * samples.meanEnough;
         if (samples.enough >= samples.asSet) return;
         result_.needed.samples = samples.enough;
         result_.error.flip += samples.flip;
         result_.items.push_back({.what = "samples",
-                                 .from = fmt::format("{}", samples.asSet),
-                                 .to = fmt::format("{}", samples.enough),
+                                 .from = samplesText(samples.asSet, samples.meanAsSet),
+                                 .to = samplesText(samples.enough, samples.meanEnough),
                                  .reason = "more would change too little to be seen",
-                                 .saving = 1 - static_cast<double>(samples.enough) / samples.asSet,
+                                 .saving = 1 - samples.meanEnough / samples.meanAsSet,
                                  .error = {0, samples.flip},
                                  .takenBack = {}});
     }

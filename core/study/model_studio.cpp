@@ -3,15 +3,16 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <numeric>
 
 #include "core/image/flip.h"
 #include "core/image/metrics.h"
+#include "core/render/adaptive.h"
 
 namespace eyeray {
 namespace {
 
 constexpr double kNoLimit = 1e12;      // seconds
-constexpr int kErrorPilot = 16;        // samples after which a picture first looks whether it may stop
 constexpr std::size_t kKeptWorlds = 3; // as set, as found so far, as tried
 
 /// Means over squares of so many pixels; those at the border may be smaller.
@@ -113,7 +114,7 @@ EnoughSamples ModelStudio::enoughSamples(const PictureModel& model, double toler
             if (!passes.pass(kNoLimit, stop_)) throw StudioClosed();
         return passes.picture();
     };
-    EnoughSamples result{model.samples, model.samples, 0};
+    EnoughSamples result{.enough = model.samples, .asSet = model.samples};
     ColorImage once = traceTo(least);
     for (int n = least; 2 * n <= model.samples; n *= 2) {
         ColorImage twice = traceTo(2 * n);
@@ -128,16 +129,35 @@ EnoughSamples ModelStudio::enoughSamples(const PictureModel& model, double toler
         if (n >= 4 && change * 2 * n > tolerance * model.samples) break;
         once = std::move(twice);
     }
-    // the standard error falls as 1/√n: when a picture would stop by it
-    const double wanted = settings_.stop.error;
-    if (wanted > 0 && passes.passes() >= 2) {
-        const double ratio = passes.estimatedError(settings_.display) / wanted;
-        const double stopped = std::ceil(passes.passes() * ratio * ratio);
-        const int pilot = std::min(kErrorPilot, model.samples);
-        result.asSet = static_cast<int>(std::clamp<double>(stopped, pilot, model.samples));
-        result.enough = std::min(result.enough, result.asSet);
+    if (settings_.stop.error > 0 && model.samples > 1) {
+        traceTo(std::max(passes.passes(), std::min(kAdaptivePilot, model.samples)));
+        endByError(result, passes);
+    } else {
+        result.meanAsSet = result.asSet;
+        result.meanEnough = result.enough;
     }
     return result;
+}
+
+/// When the picture, or each of its pixels, would end by the error that is asked for: the standard error
+/// falls as 1/√n.
+void ModelStudio::endByError(EnoughSamples& samples, const PassLoop& passes) const {
+    const double wanted = settings_.stop.error;
+    std::vector<int> likely = passes.likelySamples(wanted, settings_.display, samples.asSet);
+    if (!settings_.stop.adaptive) {
+        const double ratio = passes.estimatedError(settings_.display) / wanted;
+        const double stopped = std::ceil(passes.passes() * ratio * ratio);
+        const int pilot = std::min(kErrorPilot, samples.asSet);
+        likely.assign(1, static_cast<int>(std::clamp<double>(stopped, pilot, samples.asSet)));
+    }
+    samples.asSet = std::ranges::max(likely);
+    samples.enough = std::min(samples.enough, samples.asSet);
+    const auto meanUpTo = [&](int most) {
+        const auto add = [&](double sum, int n) { return sum + std::min(n, most); };
+        return std::accumulate(likely.begin(), likely.end(), 0.0, add) / static_cast<double>(likely.size());
+    };
+    samples.meanAsSet = meanUpTo(samples.asSet);
+    samples.meanEnough = meanUpTo(samples.enough);
 }
 
 }

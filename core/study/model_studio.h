@@ -33,9 +33,10 @@ struct ModelShot {
     double secondsPerSample = 0; // of each pixel of the whole picture, on all threads; of the fastest
 };
 
-/// How many samples are enough, and how many there would be.
+/// How many samples are enough, and how many there would be: at most, and of a pixel on average.
 struct EnoughSamples {
     int enough = 1, asSet = 1;
+    double meanEnough = 1, meanAsSet = 1;
     double flip = 0; // what the samples after those that are enough would still change
 };
 
@@ -66,6 +67,7 @@ public:
     std::shared_ptr<const World> world(const PictureModel&);
 
 private:
+    void endByError(EnoughSamples&, const PassLoop&) const;
     PassLoop loop(const PictureModel&, std::shared_ptr<const World>);
     ByteImage shown(const ColorImage&) const;
     void look() const;

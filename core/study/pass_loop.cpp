@@ -60,6 +60,10 @@ void PassLoop::sampleAdaptively(double error, const DisplaySettings& display) {
     goal_ = {error, display};
 }
 
+std::vector<int> PassLoop::likelySamples(double error, const DisplaySettings& display, int most) const {
+    return eyeray::likelySamples(film_, passes_, error, display, most);
+}
+
 bool PassLoop::pass(double limitSeconds, const std::stop_token& stop) {
     using Clock = std::chrono::steady_clock;
     const auto start = Clock::now();

@@ -52,6 +52,8 @@ public:
     double estimatedError(const DisplaySettings& display) const {
         return film_.estimatedError(passes_, display);
     }
+    /// As eyeray::likelySamples; there are at least two passes.
+    std::vector<int> likelySamples(double error, const DisplaySettings&, int most) const;
 
 private:
     struct AdaptiveGoal {
