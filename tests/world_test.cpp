@@ -152,6 +152,41 @@ TEST(World, SharesTheIndicesOfMeshesThatDidNotChange) {
     EXPECT_NE(build(old.get(), AccelKind::Brute), nullptr) << "nor with an index of another kind";
 }
 
+TEST(World, SharesItsIndexWhileNoSurfaceMoves) {
+    Scene scene = mixedScene(11);
+    const auto build = [&](const World* previous) {
+        return buildWorld(std::make_shared<const Scene>(scene), {AccelKind::Bvh8}, previous);
+    };
+    auto world = build(nullptr);
+    const auto expectShared = [&](bool shared, const char* what) {
+        const auto edited = build(world.get());
+        EXPECT_EQ(edited->accel == world->accel, shared) << what;
+        const Tracing anew(build(nullptr), toDepth(4), kWidth, kHeight);
+        EXPECT_EQ(Tracing(edited, toDepth(4), kWidth, kHeight).radiance(), anew.radiance()) << what;
+        EXPECT_EQ(edited->primitives, anew.world().primitives) << what;
+        EXPECT_EQ(edited->nodes, anew.world().nodes) << what;
+        EXPECT_EQ(edited->bytes, anew.world().bytes) << what;
+        world = edited;
+    };
+    expectShared(true, "nothing");
+    const auto opaque = std::ranges::find_if(
+        scene.materials, [](const Material& material) { return !needsOf(material.model).transmits; });
+    opaque->model = matte({0.1F, 0.9F, 0.2F});
+    expectShared(true, "colour");
+    opaque->model = mirror(Color(0.8F));
+    expectShared(true, "matte to mirror");
+    opaque->model = glass(1.5F, Color(0.9F));
+    expectShared(false, "opaque to glass, which other rays go through");
+    scene.lights[0].intensity *= 0.5;
+    scene.lights[0].transform = at({1, 4, 2});
+    scene.lights[2].color = {1, 0.5F, 0.5F};
+    expectShared(true, "lamps without surface, and colour");
+    scene.lights[2].transform[3].y += 0.1;
+    expectShared(false, "the surface of a lamp");
+    scene.objects[7].visible = false;
+    expectShared(false, "an object less");
+}
+
 TEST(World, CountsPrimitivesOfAllInstances) {
     Scene scene = underSky(Color(0));
     const TriangleMesh mesh = cases::closedMesh(8, 16, 1);

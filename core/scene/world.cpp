@@ -3,6 +3,7 @@
 #include <type_traits>
 #include <unordered_map>
 
+#include "core/geometry/same_instances.h"
 #include "core/scene/touching_glass.h"
 
 namespace eyeray {
@@ -54,10 +55,12 @@ class Builder {
 public:
     Builder(const Scene& scene, World& world, const World* previous, std::stop_token stop)
         : scene_(scene), world_(world), stop_(std::move(stop)) {
-        if (previous == nullptr) return;
-        const auto* old = std::get_if<IndexedGeometry<Index>>(previous->accel.get());
-        if (old == nullptr) return;
-        for (const auto& instance : old->instances)
+        const std::size_t most = scene.objects.size() + scene.lights.size();
+        instances_.reserve(most);
+        world_.objects.reserve(most);
+        if (previous == nullptr || !std::holds_alternative<IndexedGeometry<Index>>(*previous->accel)) return;
+        previous_ = previous->accel;
+        for (const auto& instance : geometryIn(*previous_).instances)
             if (const auto* mesh = std::get_if<std::shared_ptr<const IndexedMesh<Index>>>(&instance.geometry))
                 meshes_.emplace((*mesh)->mesh.get(), *mesh);
     }
@@ -111,16 +114,24 @@ public:
     std::shared_ptr<const Accel> finish() {
         rankGlass();
         joinTouchingGlass(instances_, glass_, stop_);
-        auto geometry = indexInstances<Index>(std::move(instances_), stop_);
+        auto accel =
+            previous_ != nullptr && sameInstances<Index>(geometryIn(*previous_).instances, instances_)
+                ? previous_
+                : std::make_shared<const Accel>(indexInstances(std::move(instances_), stop_));
+        const auto& geometry = geometryIn(*accel);
         world_.primitives = geometry.primitives;
         world_.bytes = geometry.bytes;
         world_.nodes = geometry.nodes;
-        return std::make_shared<const Accel>(std::move(geometry));
+        return accel;
     }
 
 private:
     using Geometry = decltype(Instance<Index>::geometry);
     using MeshMap = std::unordered_map<const TriangleMesh*, std::shared_ptr<const IndexedMesh<Index>>>;
+
+    static const IndexedGeometry<Index>& geometryIn(const Accel& accel) {
+        return std::get<IndexedGeometry<Index>>(accel);
+    }
 
     bool solid(const Object& object) const {
         return std::visit(Overloaded{[](MeshId) { return true; },
@@ -164,6 +175,7 @@ private:
     const Scene& scene_;
     World& world_;
     std::stop_token stop_;
+    std::shared_ptr<const Accel> previous_; // of the same kind
     MeshMap meshes_;
     std::vector<Instance<Index>> instances_;
     std::vector<GlassSolid> glass_;
