@@ -102,6 +102,7 @@ TEST_F(NeedsOnTheCommandLine, AreWrittenIntoTheSceneThatComesBackSmaller) {
     for (const std::string line : json.at("commands")) asTold = edited(asTold, line);
     EXPECT_EQ(lean.document.render.trace, asTold.render.trace);
     EXPECT_EQ(lean.document.render.stop.samples, asTold.render.stop.samples);
+    EXPECT_EQ(lean.document.render.stop.error, asTold.render.stop.error);
     EXPECT_FALSE(lean.meterExposure);
     EXPECT_EQ(lean.document.render.trace.maxDepth, 0);
 
@@ -110,6 +111,7 @@ TEST_F(NeedsOnTheCommandLine, AreWrittenIntoTheSceneThatComesBackSmaller) {
     const auto stats = nlohmann::json::parse(reinterpret_cast<const char*>(text.data()),
                                              reinterpret_cast<const char*>(text.data() + text.size()));
     EXPECT_EQ(stats.at("samples"), asTold.render.stop.samples) << "what the scene states is rendered";
+    EXPECT_LT(stats.at("samples_per_pixel"), asTold.render.stop.samples) << "and pixels end by its error";
 }
 
 TEST_F(NeedsOnTheCommandLine, SayWhatIsWrongWithTheRequest) {

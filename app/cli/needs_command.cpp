@@ -94,7 +94,8 @@ void write(const std::filesystem::path& output, const Document& document, const 
     Document smaller = withNeeded(document, needs);
     smaller.render.display = needs.display;
     Scene scene = savedScene(smaller);
-    scene.settings.push_back(fmt::format("set samples={}", needs.needed.samples));
+    scene.settings.push_back(
+        fmt::format("set samples={} error={}", needs.needed.samples, toText(document.render.stop.error)));
     exportGltf(scene, output);
 }
 

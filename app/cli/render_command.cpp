@@ -151,13 +151,15 @@ RenderJob prepare(const RenderOptions& options) {
         return std::any_of(options.picture.commands.begin(), options.picture.commands.end(),
                            [&](const Command& command) { return command.find(key).has_value(); });
     };
-    if (!given("error")) settings.stop.error = 0;
-    if (!given("seconds")) settings.stop.seconds = 0;
     const auto& ofScene = job.document.scene->settings;
-    const bool stated = std::any_of(ofScene.begin(), ofScene.end(), [](const std::string& line) {
-        return Command::parse(line).find("samples").has_value();
-    });
-    if (!options.picture.stops && !stated) settings.stop.samples = kDefaultSamples;
+    const auto stated = [&](const char* key) {
+        return std::any_of(ofScene.begin(), ofScene.end(), [&](const std::string& line) {
+            return Command::parse(line).find(key).has_value();
+        });
+    };
+    if (!given("error") && (options.picture.stops || !stated("error"))) settings.stop.error = 0;
+    if (!given("seconds")) settings.stop.seconds = 0;
+    if (!options.picture.stops && !stated("samples")) settings.stop.samples = kDefaultSamples;
     if (options.picture.stops && !given("samples")) settings.stop.samples = 1 << 20;
     return job;
 }
