@@ -139,6 +139,16 @@ TEST(Streams, TakeTilesOfWhichOnlySomePixelsAreAsked) {
     for (const int step : {2, 8, 16}) expectTheSame(Tracing(allKinds(), {}, 64, 48), 0, step);
 }
 
+TEST(Streams, CarryTheLightOfSingleRaysThatMeetObjectsOfOneMaterialByTurns) {
+    Scene scene = underSky({0.3F, 0.5F, 0.9F});
+    add(scene, Box{{99, 99, 0.1F}}, matte(Color(0.7F)), at({0, 0, -9}));
+    for (int i = -20; i <= 20; ++i)
+        add(scene, Box{{0.1F, 9, 0.1F}}, matte(Color(0.7F)), at({0.2 * i, 0, -5}));
+    for (Object& object : scene.objects) object.material = 0;
+    scene.lights = {taughtLampAt({3, 4, 0}, Color(0.6F))};
+    for (const int pass : {0, 1}) expectTheSame(Tracing(scene, {}, 48, 32), pass);
+}
+
 TEST(Streams, CarryTheLightOfSingleRaysFromInsideGlass) {
     Scene scene = allKinds();
     look(scene, {-1, -0.2, -4.1}, {1, 0, -5});

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <numeric>
 
 namespace eyeray {
 
@@ -37,6 +38,15 @@ public:
                                          [=](std::uint64_t entry) { return instanceOf(entry) == instance; });
         result.size_ = static_cast<std::uint8_t>(last - result.ranked_.begin());
         return result;
+    }
+
+    friend bool operator==(const MediumStack& a, const MediumStack& b) {
+        return std::equal(a.begin(), a.end(), b.begin(), b.end());
+    }
+    std::size_t hash() const {
+        return std::accumulate(begin(), end(), std::size_t{0}, [](std::size_t sum, std::uint64_t entry) {
+            return (sum ^ entry) * 0x9e3779b97f4a7c15U;
+        });
     }
 
 private:

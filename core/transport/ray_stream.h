@@ -1,11 +1,12 @@
 #pragma once
 // The rays of one depth of many samples, as columns: what is done to all of them is done to several at once.
 
+#include <array>
 #include <memory>
 #include <vector>
 
 #include "core/base/math.h"
-#include "core/transport/medium_stack.h"
+#include "core/transport/medium_table.h"
 
 namespace eyeray {
 
@@ -27,30 +28,31 @@ struct RayStream {
         for (Columns3* columns : {&origin, &direction, &share, &weight, &direct, &onward, &transmitted})
             columns->resize(room);
         for (std::vector<float>* column : {&t, &u, &v}) column->resize(room);
-        for (std::vector<std::uint32_t>* column : {&primitive, &instance, &order, &parent, &sample})
+        for (std::vector<std::uint32_t>* column : {&primitive, &instance, &order, &media, &parent, &sample})
             column->resize(room);
-        media.resize(room);
     }
 
     std::size_t size = 0;
     Columns3 origin, direction;        // direction is unit
     Columns3 share;                    // of a ray's radiance that its parent's hit sends on
     Columns3 weight;                   // of its radiance that reaches the pixel
-    std::vector<MediumStack> media;    // it runs in
+    std::vector<std::uint32_t> media;  // it runs in, by their number in the MediumTable
     std::vector<std::uint32_t> parent; // in the stream of the depth before
     std::vector<std::uint32_t> sample; // of the tile
 
     std::vector<float> t, u, v; // of hits, by the names of Hit
     std::vector<std::uint32_t> primitive, instance;
     static constexpr std::uint32_t kMissed = 0xffffffff; // instance of a ray that meets the background
-    std::vector<std::uint32_t> order;                    // of those that hit something, by what they hit
-    std::size_t ordered = 0;
-    Columns3 direct, onward, transmitted; // radiance of a ray = (direct + onward)·transmitted
+    std::vector<std::uint32_t> order;                    // of those that hit something, by their bucket
+    static constexpr std::size_t kBuckets = 256;         // for materials, by their number modulo this
+    std::array<std::uint32_t, kBuckets> ends{};          // of the buckets in `order`
+    Columns3 direct, onward, transmitted;                // radiance of a ray = (direct + onward)·transmitted
 };
 
 /// What a thread needs to trace streams, kept from one tile to the next.
 struct StreamMemory {
     std::vector<std::unique_ptr<RayStream>> streams; // by depth
+    MediumTable media;                               // of all depths
     std::vector<int> treeNodes;                      // of each sample's tree
     std::vector<std::uint32_t> x, y;                 // of each sample's pixel
 

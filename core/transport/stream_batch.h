@@ -29,48 +29,61 @@ HWY_INLINE void store(const Vec3Lanes& values, Columns3& columns, std::size_t fi
     store(values.x, columns.x, first), store(values.y, columns.y, first), store(values.z, columns.z, first);
 }
 HWY_INLINE void store(IntLanes values, std::vector<std::uint32_t>& column, std::size_t first) {
-    const hn::Rebind<std::uint32_t, DoubleTag> d;
-    hn::StoreU(hn::BitCast(d, values), d, &column[first]);
+    const BitTag b;
+    hn::StoreU(hn::BitCast(b, values), b, &column[first]);
+}
+HWY_INLINE IntLanes loadInts(const std::vector<std::uint32_t>& column, std::size_t first) {
+    return hn::BitCast(IntTag(), hn::LoadU(BitTag(), &column[first]));
 }
 
-/// The lanes of the mask, close together.
+/// The lanes of the mask, close together; what comes after them is overwritten. Not CompressStore, which
+/// takes some processors a hundred cycles.
+HWY_INLINE void compress(FloatLanes values, FloatMask mask, std::vector<float>& column, std::size_t first) {
+    hn::StoreU(hn::Compress(values, mask), FloatTag(), &column[first]);
+}
 HWY_INLINE void compress(const Vec3Lanes& values, FloatMask mask, Columns3& columns, std::size_t first) {
-    const FloatTag f;
-    hn::CompressStore(values.x, mask, f, &columns.x[first]);
-    hn::CompressStore(values.y, mask, f, &columns.y[first]);
-    hn::CompressStore(values.z, mask, f, &columns.z[first]);
+    compress(values.x, mask, columns.x, first);
+    compress(values.y, mask, columns.y, first);
+    compress(values.z, mask, columns.z, first);
+}
+HWY_INLINE void compress(IntLanes values, FloatMask mask, std::vector<std::uint32_t>& column,
+                         std::size_t first) {
+    store(hn::Compress(values, hn::RebindMask(IntTag(), mask)), column, first);
 }
 
 /// Some rays of a stream that hit the same material.
 struct Batch {
-    std::array<std::uint32_t, kLanes> ray; // in the stream; the first again in lanes beyond `count`
-    std::size_t count = 0;
-    IntLanes indices;
+    std::size_t count;
+    std::size_t first; // of them in the stream
+    IntLanes rays;     // in the stream; the first again in lanes beyond `count`
     FloatMask active;
+    bool together; // in the stream as here
 
-    Batch(const std::uint32_t* order, std::size_t size) : count(size) {
-        for (std::size_t lane = 0; lane < kLanes; ++lane) ray[lane] = order[lane < size ? lane : 0];
-        const hn::Rebind<std::uint32_t, DoubleTag> d;
-        indices = hn::BitCast(IntTag(), hn::LoadU(d, ray.data()));
-        active = hn::FirstN(FloatTag(), size);
+    Batch(const std::vector<std::uint32_t>& order, std::size_t place, std::size_t size)
+        : count(size), first(order[place]), active(hn::FirstN(FloatTag(), size)) {
+        const IntTag n;
+        const auto start = static_cast<std::int32_t>(first);
+        const auto here = hn::RebindMask(n, active);
+        rays = hn::IfThenElse(here, loadInts(order, place), hn::Set(n, start));
+        together = hn::AllFalse(n, hn::And(here, rays != hn::Iota(n, start)));
     }
 
+    /// What a column has for these rays; anything in lanes beyond `count`.
     HWY_INLINE FloatLanes of(const std::vector<float>& column) const {
-        return hn::GatherIndex(FloatTag(), column.data(), indices);
+        return together ? load(column, first) : hn::GatherIndex(FloatTag(), column.data(), rays);
     }
     HWY_INLINE Vec3Lanes of(const Columns3& columns) const {
         return {of(columns.x), of(columns.y), of(columns.z)};
     }
     HWY_INLINE IntLanes of(const std::vector<std::uint32_t>& column) const {
-        alignas(64) std::int32_t values[kLanes];
-        for (std::size_t lane = 0; lane < kLanes; ++lane)
-            values[lane] = static_cast<std::int32_t>(column[ray[lane]]);
-        return hn::Load(IntTag(), values);
+        if (together) return loadInts(column, first);
+        return hn::GatherIndex(IntTag(), reinterpret_cast<const std::int32_t*>(column.data()), rays);
     }
     /// Stores the values of the lanes with their rays.
     void put(const Vec3Lanes& values, Columns3& columns) const {
+        const SpreadInt places = spread(rays);
         const Spread3 s = spread(values);
-        for (std::size_t lane = 0; lane < count; ++lane) columns.set(ray[lane], s.at(lane));
+        for (std::size_t lane = 0; lane < count; ++lane) columns.set(places.at(lane), s.at(lane));
     }
 };
 

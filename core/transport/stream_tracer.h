@@ -6,10 +6,12 @@
 #define EYERAY_STREAM_TRACER_H
 #endif
 
-#include "core/scene/world_surface.h"
+#include <numeric>
+
 #include "core/transport/integrator.h"
 #include "core/transport/next_rays.h"
 #include "core/transport/stream_batch.h"
+#include "core/transport/stream_materials.h"
 #include "core/transport/stream_shading.h"
 #include "core/transport/stream_visibility.h"
 
@@ -39,15 +41,17 @@ public:
         sortByMaterial(rays);
         RayStream& next = memory_.stream(depth + 1);
         next.size = 0;
-        for (std::size_t first = 0; first < rays.ordered;) {
+        for (std::size_t place = 0; place < rays.ends.back();) {
             if (next.size + 2 * kLanes > RayStream::kCapacity) traceNext(depth);
-            const Batch batch = batchAt(rays, first);
-            first += batch.count;
+            const Batch batch = batchAt(rays, place);
+            place += batch.count;
             shade(rays, batch, next, static_cast<int>(depth));
         }
         traceNext(depth);
-        for (std::size_t i = 0; i < rays.size; i += kLanes)
-            store((load(rays.direct, i) + load(rays.onward, i)) * load(rays.transmitted, i), rays.direct, i);
+        for (std::size_t i = 0; i < rays.size; i += kLanes) {
+            const Vec3Lanes sum = load(rays.direct, i) + load(rays.onward, i);
+            store(glass_.attenuates ? sum * load(rays.transmitted, i) : sum, rays.direct, i);
+        }
     }
 
 private:
@@ -63,49 +67,105 @@ private:
         next.size = 0;
     }
 
-    /// And the transmittance of the media on the way, the background, and nothing onward yet.
+    /// And the background, what the media on the way leave, and nothing onward yet.
     void findHits(RayStream& rays) {
-        const IntTag n;
         for (std::size_t i = 0; i < rays.size; i += kLanes) {
-            const RayLanes lanes{load(rays.origin, i), load(rays.direction, i), all(0.0F), all(kInfinity)};
-            const auto there = hn::FirstN(FloatTag(), rays.size - i);
-            const HitLanes hits = closestHits(geometry_, lanes, there, RayMask::All);
-            store(hits.t, rays.t, i), store(hits.u, rays.u, i), store(hits.v, rays.v, i);
-            store(hits.primitive, rays.primitive, i);
-            store(hn::IfThenElse(hn::RebindMask(n, hits.met()), hits.instance, hn::Set(n, -1)), rays.instance,
-                  i);
             store(all(Color(0)), rays.onward, i);
-            store(all(Color(1)), rays.transmitted, i);
-            store(radianceOf(world_.scene->environment, lanes.direction), rays.direct, i);
+            store(radianceOf(world_.scene->environment, load(rays.direction, i)), rays.direct, i);
         }
-        if (!glass_.attenuates) return;
-        for (std::size_t i = 0; i < rays.size; ++i)
-            rays.transmitted.set(i, transmittanceOf(attenuationIn(world_, rays.media[i]), rays.t[i]));
+        closestHits(rays);
+        for (std::size_t i = 0; i < rays.size && glass_.attenuates; ++i) {
+            const Color sigma = attenuationIn(world_, memory_.media.at(rays.media[i]));
+            rays.transmitted.set(i, transmittanceOf(sigma, rays.t[i]));
+        }
+    }
+
+    void closestHits(RayStream& rays) const {
+        if constexpr (std::is_same_v<Index, BruteForce>)
+            if (geometry_.shapesOnly) return closestShapes(rays);
+        for (std::size_t i = 0; i < rays.size; i += kLanes) {
+            const auto there = hn::FirstN(FloatTag(), rays.size - i);
+            HitLanes hits =
+                eyeray::HWY_NAMESPACE::closestHits(geometry_, raysAt(rays, i), there, RayMask::All);
+            hits.instance = hn::IfThenElse(hn::RebindMask(IntTag(), hits.met()), hits.instance, nothing());
+            storeHits(hits, rays, i);
+        }
+    }
+
+    /// A shape after the other through some hundred rays, which stay in the nearest cache: the tests of one
+    /// shape do not wait for each other, and branch alike.
+    void closestShapes(RayStream& rays) const {
+        constexpr std::size_t kBlock = 128;
+        for (std::size_t begin = 0; begin < rays.size; begin += kBlock) {
+            const std::size_t end = std::min(begin + kBlock, rays.size);
+            for (std::size_t i = begin; i < end; i += kLanes) storeHits({.instance = nothing()}, rays, i);
+            for (const auto ids : instancesOf(geometry_))
+                for (const std::uint32_t id : ids)
+                    for (std::size_t i = begin; i < end; i += kLanes) closestOfShape(id, rays, i);
+        }
+    }
+
+    HWY_INLINE void closestOfShape(std::uint32_t id, RayStream& rays, std::size_t i) const {
+        const auto t = load(rays.t, i), none = all(kInfinity);
+        const auto limit = hn::IfThenElse(t < none, nextAbove(t), none);
+        NearestLanes nearest{
+            limit, {t, load(rays.u, i), all(0.0F), loadInts(rays.primitive, i), loadInts(rays.instance, i)}};
+        nearest.offer(intersectShape(geometry_.instances[id], raysAt(rays, i), limit), id);
+        storeHits(nearest.hit, rays, i);
+    }
+
+    static HWY_INLINE IntLanes nothing() { return hn::Set(IntTag(), -1); }
+
+    static HWY_INLINE RayLanes raysAt(const RayStream& rays, std::size_t i) {
+        return {load(rays.origin, i), load(rays.direction, i), all(0.0F), all(kInfinity)};
+    }
+
+    static HWY_INLINE void storeHits(const HitLanes& hits, RayStream& rays, std::size_t i) {
+        store(hits.t, rays.t, i), store(hits.u, rays.u, i), store(hits.v, rays.v, i);
+        store(hits.primitive, rays.primitive, i), store(hits.instance, rays.instance, i);
     }
 
     std::uint32_t materialOfRay(const RayStream& rays, std::size_t i) const {
         return world_.objects[rays.instance[i]].material;
     }
 
+    /// Rays that hit something, in `order`; `ends` are where each bucket ends.
     void sortByMaterial(RayStream& rays) const {
-        constexpr std::size_t kMostBuckets = 256;
-        const std::size_t buckets = std::min(kMostBuckets, world_.materials.size());
-        std::array<std::uint32_t, kMostBuckets + 1> starts{};
-        const auto hit = [&](std::size_t i) { return rays.instance[i] != RayStream::kMissed; };
-        for (std::size_t i = 0; i < rays.size; ++i)
-            if (hit(i)) ++starts[materialOfRay(rays, i) % buckets + 1];
-        for (std::size_t i = 1; i <= buckets; ++i) starts[i] += starts[i - 1];
-        rays.ordered = starts[buckets];
-        for (std::uint32_t i = 0; i < rays.size; ++i)
-            if (hit(i)) rays.order[starts[materialOfRay(rays, i) % buckets]++] = i;
+        const auto eachBucket = [&](std::size_t i, const auto& each) HWY_ATTR {
+            const auto instances = loadInts(rays.instance, i);
+            const auto hit = hn::And(hn::FirstN(FloatTag(), rays.size - i),
+                                     hn::RebindMask(FloatTag(), instances != nothing()));
+            eachInstance(instances, hit, [&](std::uint32_t id, FloatMask lanes) HWY_ATTR {
+                each(rays.ends[world_.objects[id].material % RayStream::kBuckets], lanes);
+            });
+        };
+        rays.ends.fill(0);
+        for (std::size_t i = 0; i < rays.size; i += kLanes)
+            eachBucket(i, [](std::uint32_t& size, FloatMask lanes) HWY_ATTR {
+                size += static_cast<std::uint32_t>(hn::CountTrue(FloatTag(), lanes));
+            });
+        std::exclusive_scan(rays.ends.begin(), rays.ends.end(), rays.ends.begin(), 0U);
+        const IntTag n;
+        for (std::size_t i = 0; i < rays.size; i += kLanes) {
+            const auto numbers = hn::Iota(n, static_cast<std::int32_t>(i));
+            eachBucket(i, [&](std::uint32_t& end, FloatMask lanes) HWY_ATTR {
+                const std::size_t count = hn::CountTrue(FloatTag(), lanes);
+                hn::BlendedStore(hn::Compress(numbers, hn::RebindMask(n, lanes)), hn::FirstN(n, count), n,
+                                 reinterpret_cast<std::int32_t*>(&rays.order[end]));
+                end += static_cast<std::uint32_t>(count);
+            });
+        }
     }
 
-    Batch batchAt(const RayStream& rays, std::size_t first) const {
-        const std::uint32_t* order = &rays.order[first];
-        const std::size_t most = std::min(kLanes, rays.ordered - first);
-        std::size_t count = 1;
-        while (count < most && materialOfRay(rays, order[count]) == materialOfRay(rays, order[0])) ++count;
-        return Batch(order, count);
+    Batch batchAt(const RayStream& rays, std::size_t place) const {
+        const auto material = [&](std::size_t i) { return materialOfRay(rays, rays.order[i]); };
+        const std::size_t end = rays.ends[material(place) % RayStream::kBuckets];
+        std::size_t count = std::min(kLanes, end - place);
+        if (world_.materials.size() > RayStream::kBuckets) {
+            const std::size_t most = count;
+            for (count = 1; count < most && material(place + count) == material(place);) ++count;
+        }
+        return Batch(rays.order, place, count);
     }
 
     void shade(RayStream& rays, const Batch& batch, RayStream& next, int depth) {
@@ -114,50 +174,15 @@ private:
                             batch.of(rays.instance)};
         const SurfaceLanes at = surfacesAt(geometry_, lanes, hits, batch.active);
         const ShadingLanes p = shadingOf(at, lanes.direction);
-        const MaterialLanes m = materialAt(batch, materialOfRay(rays, batch.ray[0]), at, hits);
-        MediumLanes media;
-        if (glass_.any)
-            for (std::size_t lane = 0; lane < kLanes; ++lane) media[lane] = rays.media[batch.ray[lane]];
+        const std::uint32_t material = materialOfRay(rays, batch.first);
+        const MaterialLanes m = materialAt(world_, geometry_, material, at.position, hits, batch.active);
+        const IntLanes media = batch.of(rays.media);
         batch.put(directLight(batch, p, m, media), rays.direct);
-        if (depth < context_.settings.maxDepth) sendOn(rays, batch, p, m, media, next);
-    }
-
-    MaterialLanes materialAt(const Batch& batch, std::uint32_t id, const SurfaceLanes& at,
-                             const HitLanes& hits) const {
-        const WorldMaterial& material = world_.materials[id];
-        const HitSpread hit(hits);
-        const auto varies = [&](std::size_t lane) {
-            return material.varies || world_.objects[hit.instance.at(lane)].vertexColors;
-        };
-        MaterialLanes m = materialOf(material.surface);
-        bool any = false;
-        if (world_.needs.textures) eachLane(batch.active, [&](std::size_t lane) { any |= varies(lane); });
-        if (!any) return m;
-        const Spread3 positions = spread(at.position);
-        const auto* taught = std::get_if<TaughtMaterial>(&material.model);
-        Spread3 factors = spread(all(Color(1)));
-        std::array<Surface, kLanes> surfaces;
-        eachLane(batch.active, [&](std::size_t lane) {
-            surfaces[lane] = material.surface;
-            if (!varies(lane)) return;
-            SurfacePoint point;
-            point.position = positions.at(lane);
-            const auto uv = [&](int set) { return textureCoordinates(geometry_, point, hit.at(lane), set); };
-            const Color color(vertexColor(geometry_, hit.at(lane)));
-            if (taught != nullptr)
-                factors.set(lane, eyeray::detail::diffuseFactor(*world_.scene, *taught, uv, color));
-            else
-                surfaces[lane] = eyeray::surfaceAt(world_, material, uv, color);
-        });
-        if (taught == nullptr) return materialOf(surfaces);
-        m.ambient = m.ambient * gathered(factors);
-        m.diffuse = m.diffuse * gathered(factors);
-        return m;
+        if (depth < context_.settings.maxDepth) sendOn(rays, batch, p, m, media, hits.instance, next);
     }
 
     /// As directLight of one point.
-    Vec3Lanes directLight(const Batch& batch, const ShadingLanes& p, const MaterialLanes& m,
-                          const MediumLanes& media) {
+    Vec3Lanes directLight(const Batch& batch, const ShadingLanes& p, const MaterialLanes& m, IntLanes media) {
         const FloatTag f;
         Vec3Lanes radiance = m.emission + m.ambient * all(world_.scene->ambient);
         const Vec3Lanes origin = shadowOrigin(p);
@@ -171,7 +196,8 @@ private:
             if (context_.settings.shadows) {
                 const RayLanes rays{origin, sample.wi, all(0.0F), sample.distance * all(kBeforeLamp)};
                 counts_[RayKind::Shadow] += hn::CountTrue(f, asked);
-                arriving = arriving * visibility(context_, geometry_, glass_, rays, asked, media);
+                arriving =
+                    arriving * visibility(context_, geometry_, glass_, rays, asked, {memory_.media, media});
             }
             radiance = radiance + orZero(asked, arriving);
         }
@@ -180,7 +206,7 @@ private:
 
     /// As onward of one point.
     void sendOn(const RayStream& rays, const Batch& batch, const ShadingLanes& p, const MaterialLanes& m,
-                MediumLanes& media, RayStream& next) {
+                IntLanes media, IntLanes instances, RayStream& next) {
         const FloatTag f;
         const TraceSettings& settings = context_.settings;
         const auto transmits = hn::And(batch.active, notBlack(m.transmission));
@@ -188,58 +214,93 @@ private:
         const auto goesOn = hn::And(batch.active, hn::Or(transmits, reflects));
         if (hn::AllFalse(f, goesOn)) return;
         NextLanes onward = mirrored(p, m, settings.fresnel);
-        const MediumLanes before = media;
+        InterfaceLanes interface{m.ior, p.front, media};
         if (!hn::AllFalse(f, transmits)) {
-            Spread eta = spread(m.ior);
-            const Spread ior = spread(m.ior);
-            std::uint32_t solid = 0;
-            const std::uint32_t front = bitsOf(p.front);
-            eachLane(transmits, [&](std::size_t lane) {
-                const std::uint32_t instance = rays.instance[batch.ray[lane]];
-                const Side side{.instance = instance,
-                                .solid = world_.objects[instance].solid,
-                                .front = ((front >> lane) & 1U) != 0,
-                                .ior = ior.lane[lane]};
-                const Interface interface = interfaceAt(world_, side, before[lane]);
-                eta.lane[lane] = interface.eta;
-                media[lane] = interface.beyond;
-                solid |= (side.solid ? 1U : 0U) << lane;
-            });
-            addGlass(p, m, settings.fresnel, gathered(eta), maskOf(solid), onward);
+            interface = interfacesAt(instances, p.front, media, transmits);
+            addGlass(p, m, settings.fresnel, interface.eta, interface.solid, onward);
         }
-        const Vec3Lanes weight = batch.of(rays.weight) * batch.of(rays.transmitted);
+        Vec3Lanes weight = batch.of(rays.weight);
+        if (glass_.attenuates) weight = weight * batch.of(rays.transmitted);
+        const Parents parents{batch.rays, batch.of(rays.sample), p.at, weight, goesOn};
         if (settings.reflections)
-            append(rays, batch, p.at, goesOn, {onward.reflection, onward.reflectedShare, weight}, before,
-                   RayKind::Reflection, next);
+            append(parents, {RayKind::Reflection, onward.reflection, onward.reflectedShare, media}, next);
         if (settings.refractions)
-            append(rays, batch, p.at, goesOn, {onward.refraction, onward.refractedShare, weight}, media,
-                   RayKind::Refraction, next);
+            append(parents, {RayKind::Refraction, onward.refraction, onward.refractedShare, interface.beyond},
+                   next);
     }
 
+    /// As Interface, and whether the surface has an inside.
+    struct InterfaceLanes {
+        FloatLanes eta;
+        FloatMask solid;
+        IntLanes beyond;
+    };
+
+    /// Those of the `asked` lanes; lanes that meet the same side of the same object in the same media
+    /// together.
+    InterfaceLanes interfacesAt(IntLanes instances, FloatMask front, IntLanes media, FloatMask asked) {
+        const FloatTag f;
+        const IntTag n;
+        InterfaceLanes result{all(1.0F), hn::MaskFromVec(hn::Zero(f)), media};
+        const SpreadInt numbers = spread(media);
+        eachInstance(instances, asked, [&](std::uint32_t id, FloatMask there) HWY_ATTR {
+            const WorldObject& object = world_.objects[id];
+            if (object.solid) result.solid = hn::Or(result.solid, there);
+            while (!hn::AllFalse(f, there)) {
+                const auto lane = static_cast<std::size_t>(hn::FindKnownFirstTrue(f, there));
+                const std::uint32_t number = numbers.at(lane);
+                const bool isFront = ((bitsOf(front) >> lane) & 1U) != 0;
+                const auto sameMedia = media == hn::Set(n, static_cast<std::int32_t>(number));
+                const auto alike =
+                    hn::And(hn::And(there, hn::RebindMask(f, sameMedia)), isFront ? front : hn::Not(front));
+                const Interface interface =
+                    interfaceAt(world_,
+                                {.instance = id,
+                                 .solid = object.solid,
+                                 .front = isFront,
+                                 .ior = world_.materials[object.material].surface.ior},
+                                memory_.media.at(number));
+                const auto beyond = static_cast<std::int32_t>(memory_.media.numberOf(interface.beyond));
+                result.eta = hn::IfThenElse(alike, all(interface.eta), result.eta);
+                result.beyond = hn::IfThenElse(hn::RebindMask(n, alike), hn::Set(n, beyond), result.beyond);
+                there = hn::AndNot(alike, there);
+            }
+        });
+        return result;
+    }
+
+    /// Rays of a batch that may go on.
+    struct Parents {
+        IntLanes ray, sample;
+        SurfaceLanes at;
+        Vec3Lanes weight; // of their radiance at the hit
+        FloatMask goOn;
+    };
+
     struct Onward {
-        Vec3Lanes direction, share, weight; // the weight of the parent's radiance at the hit
+        RayKind kind;
+        Vec3Lanes direction, share;
+        IntLanes media;
     };
 
     /// Adds to the next stream the rays that are worth tracing.
-    void append(const RayStream& rays, const Batch& batch, const SurfaceLanes& at, FloatMask asked,
-                const Onward& onward, const MediumLanes& media, RayKind kind, RayStream& next) {
+    void append(const Parents& parents, const Onward& onward, RayStream& next) {
         const FloatTag f;
-        const Vec3Lanes weight = onward.weight * onward.share;
+        const Vec3Lanes weight = parents.weight * onward.share;
         const auto largest = maxComponent(weight);
         const auto worth =
-            hn::And(asked, hn::And(largest > hn::Zero(f), largest >= all(context_.settings.cutoff)));
+            hn::And(parents.goOn, hn::And(largest > hn::Zero(f), largest >= all(context_.settings.cutoff)));
         if (hn::AllFalse(f, worth)) return;
-        compress(spawnOrigin(at, onward.direction), worth, next.origin, next.size);
+        compress(spawnOrigin(parents.at, onward.direction), worth, next.origin, next.size);
         compress(onward.direction, worth, next.direction, next.size);
         compress(onward.share, worth, next.share, next.size);
         compress(weight, worth, next.weight, next.size);
-        counts_[kind] += hn::CountTrue(f, worth);
-        eachLane(worth, [&](std::size_t lane) {
-            next.media[next.size] = media[lane];
-            next.parent[next.size] = batch.ray[lane];
-            next.sample[next.size] = rays.sample[batch.ray[lane]];
-            ++next.size;
-        });
+        compress(onward.media, worth, next.media, next.size);
+        compress(parents.ray, worth, next.parent, next.size);
+        compress(parents.sample, worth, next.sample, next.size);
+        const std::size_t count = hn::CountTrue(f, worth);
+        counts_[onward.kind] += count;
+        next.size += count;
     }
 
     const TraceContext& context_;

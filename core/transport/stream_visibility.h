@@ -9,11 +9,16 @@
 
 #include "core/geometry/accel_lanes.h"
 #include "core/transport/direct_light.h"
+#include "core/transport/medium_table.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace eyeray::HWY_NAMESPACE {
 
-using MediumLanes = std::array<MediumStack, kLanes>; // what each ray runs in
+/// What each ray runs in.
+struct MediumLanes {
+    MediumTable& table;
+    IntLanes numbers;
+};
 
 /// Of a World, known before tracing.
 struct GlassNeeds {
@@ -39,38 +44,44 @@ inline Color attenuationIn(const World& world, const MediumStack& media) {
 /// As detail::filteredStraight, of glass without textures.
 template <class Index>
 Vec3Lanes filteredStraight(const World& world, const IndexedGeometry<Index>& geometry,
-                           const GlassNeeds& needs, RayLanes rays, FloatMask asked, MediumLanes media) {
+                           const GlassNeeds& needs, RayLanes rays, FloatMask asked,
+                           const MediumLanes& mediaOfRays) {
     constexpr int kMostSurfaces = 256; // more are taken as opaque
     const FloatTag f;
-    Spread3 transmitted = spread(all(Color(1)));
+    MediumTable& table = mediaOfRays.table;
+    SpreadInt media = spread(mediaOfRays.numbers);
+    Vec3Lanes transmitted = all(Color(1));
     for (int i = 0; i < kMostSurfaces; ++i) {
         const HitLanes hits = closestHits(geometry, rays, asked, RayMask::Transparent);
         const auto length = hn::IfThenElse(hits.met(), hits.t, rays.tMax);
         if (needs.attenuates) {
             const Spread lengths = spread(length);
+            Spread3 left = spread(all(Color(1)));
             eachLane(asked, [&](std::size_t lane) {
-                const Color left = transmittanceOf(attenuationIn(world, media[lane]), lengths.lane[lane]);
-                transmitted.set(lane, transmitted.at(lane) * left);
+                const Color sigma = attenuationIn(world, table.at(media.at(lane)));
+                left.set(lane, transmittanceOf(sigma, lengths.lane[lane]));
             });
+            transmitted = transmitted * gathered(left);
         }
-        asked = hn::And(asked, hn::And(hits.met(), notBlack(gathered(transmitted))));
-        if (hn::AllFalse(f, asked)) return gathered(transmitted);
+        asked = hn::And(asked, hn::And(hits.met(), notBlack(transmitted)));
+        if (hn::AllFalse(f, asked)) return transmitted;
         const SurfaceLanes at = surfacesAt(geometry, rays, hits, asked);
         const std::uint32_t front = bitsOf(dot(at.geometricNormal, -rays.direction) >= hn::Zero(f));
-        const SpreadInt instances = spread(hits.instance);
-        eachLane(asked, [&](std::size_t lane) {
-            const std::uint32_t instance = instances.at(lane);
-            const WorldObject& object = world.objects[instance];
-            transmitted.set(lane,
-                            transmitted.at(lane) * world.materials[object.material].surface.transmission);
-            if (!object.solid) return;
-            const bool entered = ((front >> lane) & 1U) != 0;
-            media[lane] = entered ? media[lane].entered(instance, object.rank) : media[lane].left(instance);
+        eachInstance(hits.instance, asked, [&](std::uint32_t id, FloatMask lanes) HWY_ATTR {
+            const WorldObject& object = world.objects[id];
+            const Vec3Lanes left = transmitted * all(world.materials[object.material].surface.transmission);
+            transmitted = select(lanes, left, transmitted);
+            if (!needs.attenuates || !object.solid) return;
+            eachLane(lanes, [&](std::size_t lane) {
+                const MediumStack& before = table.at(media.at(lane));
+                const bool entered = ((front >> lane) & 1U) != 0;
+                media.set(lane, table.numberOf(entered ? before.entered(id, object.rank) : before.left(id)));
+            });
         });
         rays.origin = select(asked, spawnOrigin(at, rays.direction), rays.origin);
         rays.tMax = rays.tMax - length;
     }
-    return orZero(hn::Not(asked), gathered(transmitted));
+    return orZero(hn::Not(asked), transmitted);
 }
 
 /// Share of a lamp's light that arrives along the `asked` rays, by the named policy for glass.
@@ -92,9 +103,10 @@ Vec3Lanes visibility(const TraceContext& context, const IndexedGeometry<Index>& 
         return ones();
     }
     std::uint32_t filtered = bitsOf(byGlass);
+    const SpreadInt numbers = spread(media.numbers);
     if (needs.attenuates)
         eachLane(passes, [&](std::size_t lane) {
-            if (media[lane].top() != MediumStack::kVacuum) filtered |= 1U << lane;
+            if (media.table.at(numbers.at(lane)).top() != MediumStack::kVacuum) filtered |= 1U << lane;
         });
     if (filtered == 0) return ones();
     if (!needs.varies) {
@@ -109,7 +121,8 @@ Vec3Lanes visibility(const TraceContext& context, const IndexedGeometry<Index>& 
     SampleState<Index, NoRecorder> state{context, geometry, counts, recorder, {}};
     eachLane(maskOf(filtered), [&](std::size_t lane) {
         constexpr Features kAll{.varying = true, .transparent = true};
-        result.set(lane, detail::filteredStraight<kAll>(state, single.at(lane), media[lane]));
+        result.set(lane,
+                   detail::filteredStraight<kAll>(state, single.at(lane), media.table.at(numbers.at(lane))));
     });
     return gathered(result);
 }

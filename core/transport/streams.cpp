@@ -19,13 +19,14 @@ public:
     TileSamples(const TraceContext& context, const IndexedGeometry<Index>& geometry, int pass,
                 TileResult& result)
         : context_(context), pass_(static_cast<std::uint32_t>(pass)), result_(result),
-          eye_(memory().stream(0)), tracer_(context, geometry, result.counts, memory()) {
+          eye_(memory_.stream(0)), tracer_(context, geometry, result.counts, memory_) {
         eye_.size = 0;
+        memory_.media.reset(context.eyeMedia);
     }
 
     void add(int x, int y) {
-        memory().x[eye_.size] = static_cast<std::uint32_t>(x);
-        memory().y[eye_.size] = static_cast<std::uint32_t>(y);
+        memory_.x[eye_.size] = static_cast<std::uint32_t>(x);
+        memory_.y[eye_.size] = static_cast<std::uint32_t>(y);
         if (++eye_.size == RayStream::kCapacity) trace();
     }
 
@@ -36,7 +37,7 @@ public:
     }
 
 private:
-    static StreamMemory& memory() {
+    static StreamMemory& memoryOfThread() {
         thread_local StreamMemory memory;
         return memory;
     }
@@ -44,26 +45,26 @@ private:
     void makeEyeRays() {
         const EyeRays& rays = context_.eyeRays;
         for (std::size_t i = 0; i < eye_.size && !rays.aimed(); i += kLanes) {
-            const BitLanes x = load(memory().x, i), y = load(memory().y, i);
+            const BitLanes x = load(memory_.x, i), y = load(memory_.y, i);
             const PlaceLanes inPixel = pixelSample(context_.seed, x, y, pass_);
             store(eyeDirections(rays.frame(), x, y, inPixel), eye_.direction, i);
             store(all(rays.frame().eye), eye_.origin, i);
         }
         for (std::size_t i = 0; i < eye_.size && rays.aimed(); ++i) {
-            const SampleAddress address{context_.seed, memory().x[i], memory().y[i], pass_};
+            const SampleAddress address{context_.seed, memory_.x[i], memory_.y[i], pass_};
             const Ray ray = rays.through(static_cast<int>(address.x), static_cast<int>(address.y),
                                          eyeray::pixelSample(address));
             eye_.origin.set(i, ray.origin);
             eye_.direction.set(i, ray.direction);
         }
         for (std::size_t i = 0; i < eye_.size; i += kLanes) store(all(Color(1)), eye_.weight, i);
-        std::fill_n(eye_.media.begin(), eye_.size, context_.eyeMedia);
+        std::fill_n(eye_.media.begin(), eye_.size, 0U);
         std::iota(eye_.sample.begin(), eye_.sample.begin() + static_cast<std::ptrdiff_t>(eye_.size), 0U);
     }
 
     void trace() {
         makeEyeRays();
-        memory().treeNodes.assign(eye_.size, 0);
+        memory_.treeNodes.assign(eye_.size, 0);
         result_.counts[RayKind::Eye] += eye_.size;
         tracer_.trace(0);
         for (std::size_t i = 0; i < eye_.size; ++i)
@@ -74,6 +75,7 @@ private:
     const TraceContext& context_;
     const std::uint32_t pass_;
     TileResult& result_;
+    StreamMemory& memory_ = memoryOfThread();
     RayStream& eye_;
     StreamTracer<Index> tracer_;
 };
