@@ -201,7 +201,7 @@ TEST(MeasuredNeeds, CountTheSamplesThatAdaptiveSamplingTakesByItself) {
     PassLoop adaptive(makeIntegrator(plan.settings.trace.method), context, pool);
     adaptive.sampleAdaptively(plan.settings.stop.error, plan.settings.display);
     while (adaptive.passes() < 256) ASSERT_TRUE(adaptive.pass(1e6, {}));
-    const std::string stated = "256, on average ";
+    const std::string stated = "256 (mean ";
     ASSERT_EQ(item->from.rfind(stated, 0), 0U) << item->from;
     EXPECT_NEAR(std::stod(item->from.substr(stated.size())), adaptive.samplesPerPixel(),
                 0.2 * adaptive.samplesPerPixel());

@@ -18,7 +18,7 @@ constexpr std::string_view kIndexStep = "index", kSamplesStep = "samples", kScen
 int stepsOf(double tolerance) { return static_cast<int>(std::floor(255 * tolerance + 1e-9)); }
 
 std::string samplesText(int most, double mean) {
-    return most - mean < 0.5 ? fmt::format("{}", most) : fmt::format("{}, on average {:.1f}", most, mean);
+    return most - mean < 0.5 ? fmt::format("{}", most) : fmt::format("{} (mean {:.3g})", most, mean);
 }
 
 /// What measuring and checking share.

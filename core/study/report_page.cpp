@@ -40,7 +40,7 @@ td.long { white-space: normal; min-width: 16rem; }
   body { font-size: 10pt; background: none; }
   main { max-width: none; padding: 0; }
   figure, tr, h2 { break-inside: avoid; }
-  h2 { break-after: avoid; }
+  h2, h2 + p { break-after: avoid; }
   .table { overflow: visible; }
   .charts { grid-template-columns: 1fr 1fr; }
   th, td { padding: .15rem .4rem; }
