@@ -25,4 +25,4 @@ done
 sort -k4,4n rows | awk '{ faster[NR] = $4; if ($5 > worst) worst = $5 }
     END { middle = (faster[int((NR + 1) / 2)] + faster[int(NR / 2) + 1]) / 2
           printf "median %.1f times faster (goal 2), largest FLIP %.4f (goal 0.005): %s\n", middle, worst,
-                 middle >= 2 && worst < 0.005 ? "met" : "not met" }'
+                 (middle >= 2 && worst < 0.005) ? "met" : "not met" }'
