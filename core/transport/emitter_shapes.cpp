@@ -205,6 +205,11 @@ float SphericalEllipsoid::pdfW(const Vec3& from, const Vec3& wi) const {
     return static_cast<float>(density / (2 * kPiD * cone));
 }
 
+double SphericalEllipsoid::area() const {
+    const double radius = std::cbrt(std::fabs(glm::determinant(DMat3(map_))));
+    return 4 * kPiD * radius * radius;
+}
+
 SkyGradient::SkyGradient(const Environment& sky)
     : sky_(sky), zenith_(2 * kPi * luminance(sky.zenith) * (2.0F / 3)),
       horizon_(2 * kPi * luminance(sky.horizon) * (2.0F / 3)),

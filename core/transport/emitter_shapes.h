@@ -31,6 +31,7 @@ public:
     ShapeSample towards(const Vec3& from, const DVec3& point) const;
     /// Steradians, as seen from its front; 0 where it is sampled by area.
     double solidAngle(const Vec3& from) const;
+    double area() const { return area_; }
 
 private:
     struct Seen;
@@ -48,11 +49,12 @@ class SphericalDisc {
 public:
     /// The light leaves on the side of cross(axisX, axisY), which reach to its rim. `byArea`: also from
     /// nearby.
-    SphericalDisc(const DVec3& center, const DVec3& axisX, const DVec3& axisY, bool byArea);
+    SphericalDisc(const DVec3& center, const DVec3& axisX, const DVec3& axisY, bool byArea = false);
 
     std::optional<ShapeSample> sample(const Vec3& from, const Vec2& u) const;
     /// Of a direction that hits its front.
     float pdfW(const Vec3& from, const Vec3& wi) const;
+    double area() const { return area_; }
 
 private:
     bool near(const Vec3& from) const;
@@ -75,6 +77,7 @@ public:
     std::optional<ShapeSample> sample(const Vec3& from, const Vec2& u) const;
     /// Of a direction that hits it.
     float pdfW(const Vec3& from, const Vec3& wi) const;
+    double area() const; // of the sphere of the same volume
 
 private:
     DVec3 center_;

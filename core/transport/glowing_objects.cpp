@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include <glm/gtc/matrix_transform.hpp>
+
 namespace eyeray {
 namespace {
 
@@ -20,22 +22,31 @@ DVec3 normalOf(const DVec3& edgeA, const DVec3& edgeB, const DVec3& front) {
 
 }
 
-GlowingRectangle::GlowingRectangle(const DVec3& center, const DVec3& edgeX, const DVec3& edgeY,
-                                   const DVec3& front, bool bothSides)
-    : center_(center), normal_(normalOf(edgeX, edgeY, front)),
-      front_(center, edgeX, glm::dot(glm::cross(edgeX, edgeY), front) < 0 ? -edgeY : edgeY),
-      back_(center, edgeX, glm::dot(glm::cross(edgeX, edgeY), front) < 0 ? edgeY : -edgeY),
-      area_(glm::length(glm::cross(edgeX, edgeY))), bothSides_(bothSides) {}
+template <class Side>
+GlowingFlat<Side>::GlowingFlat(const DMat4& place, const DVec3& center, const DVec3& x, const DVec3& y,
+                               const DVec3& front, bool bothSides)
+    : GlowingFlat(transformPoint(place, center), DMat3(place) * x, DMat3(place) * y, DMat3(place) * front,
+                  bothSides) {}
 
-const SphericalRectangle& GlowingRectangle::sideTowards(const Vec3& from) const {
+template <class Side>
+GlowingFlat<Side>::GlowingFlat(const DVec3& center, const DVec3& x, const DVec3& y, const DVec3& front,
+                               bool bothSides)
+    : center_(center), normal_(normalOf(x, y, front)),
+      front_(center, x, glm::dot(glm::cross(x, y), front) < 0 ? -y : y),
+      back_(center, x, glm::dot(glm::cross(x, y), front) < 0 ? y : -y), bothSides_(bothSides) {}
+
+template <class Side>
+const Side& GlowingFlat<Side>::sideTowards(const Vec3& from) const {
     return bothSides_ && glm::dot(normal_, DVec3(from) - center_) < 0 ? back_ : front_;
 }
 
-std::optional<ShapeSample> GlowingRectangle::sample(const Vec3& from, const Vec2& u) const {
+template <class Side>
+std::optional<ShapeSample> GlowingFlat<Side>::sample(const Vec3& from, const Vec2& u) const {
     return sideTowards(from).sample(from, u);
 }
 
-float GlowingRectangle::pdfW(const Vec3& from, const Vec3& wi) const {
+template <class Side>
+float GlowingFlat<Side>::pdfW(const Vec3& from, const Vec3& wi) const {
     return sideTowards(from).pdfW(from, wi);
 }
 
@@ -91,27 +102,22 @@ void GlowingObjects::add(const World& world, std::uint32_t instance) {
     const Object& object = world.scene->objects[static_cast<std::size_t>(worldObject.sceneObject)];
     DMat4 place = object.transform;
     place[3] -= DVec4(world.origin, 0);
-    const DMat3 turn(place);
     const std::size_t first = parts_.size();
-    const auto addPart = [&](const Shape& shape, double area) {
-        parts_.push_back({shape, radiance, static_cast<float>(area) * luminance(radiance), instance});
-    };
-    const auto rectangle = [&](const DVec3& center, const DVec3& x, const DVec3& y, const DVec3& front,
-                               bool bothSides) {
-        const GlowingRectangle part(transformPoint(place, center), turn * x, turn * y, turn * front,
-                                    bothSides);
-        addPart(part, part.area());
+    const auto addPart = [&](const auto& part) {
+        const auto power = static_cast<float>(part.area()) * luminance(radiance);
+        parts_.push_back({part, radiance, power, instance});
     };
     const auto ofShape = Overloaded{
         [&](const Sphere& sphere) {
-            DMat4 map(turn * static_cast<double>(sphere.radius));
-            map[3] = place[3];
-            const double scale = std::cbrt(std::fabs(glm::determinant(DMat3(map))));
-            addPart(SphericalEllipsoid(map), 4 * kPiD * scale * scale);
+            addPart(SphericalEllipsoid(place * glm::scale(DMat4(1), DVec3(sphere.radius))));
         },
         [&](const Plane& plane) {
-            if (std::isfinite(plane.sizeX) && std::isfinite(plane.sizeZ) && !plane.round)
-                rectangle(DVec3(0), {0, 0, plane.sizeZ}, {plane.sizeX, 0, 0}, {0, 1, 0}, plane.doubleSided);
+            if (!std::isfinite(plane.sizeX) || !std::isfinite(plane.sizeZ)) return;
+            const DVec3 x(plane.sizeX, 0, 0), z(0, 0, plane.sizeZ), up(0, 1, 0);
+            if (plane.round)
+                addPart(GlowingDisc(place, DVec3(0), 0.5 * z, 0.5 * x, up, plane.doubleSided));
+            else
+                addPart(GlowingRectangle(place, DVec3(0), z, x, up, plane.doubleSided));
         },
         [&](const Box& box) {
             for (int face = 0; face < 6; ++face) {
@@ -120,18 +126,24 @@ void GlowingObjects::add(const World& world, std::uint32_t instance) {
                 out[axis] = face % 2 == 1 ? 1 : -1;
                 x[(axis + 1) % 3] = box.size[(axis + 1) % 3];
                 y[(axis + 2) % 3] = box.size[(axis + 2) % 3];
-                rectangle(0.5 * out * DVec3(box.size), x, y, out, true);
+                addPart(GlowingRectangle(place, 0.5 * out * DVec3(box.size), x, y, out, true));
             }
         },
-        [](const Cylinder&) {}};
+        [&](const Cylinder& cylinder) {
+            addPart(CylinderSide(cylinder, place));
+            for (const double up : {1.0, -1.0}) {
+                const double radius = up > 0 ? cylinder.radiusTop : cylinder.radiusBottom;
+                const DVec3 center(0, 0.5 * up * cylinder.height, 0);
+                addPart(GlowingDisc(place, center, {0, 0, radius}, {radius, 0, 0}, {0, up, 0}, true));
+            }
+        }};
     const auto ofMesh = [&](const TriangleMesh& mesh) {
         for (const auto& corners : mesh.triangles) {
             const DVec3 corner(mesh.positions[corners[0]]);
             const DVec3 a = DVec3(mesh.positions[corners[1]]) - corner;
             const DVec3 b = DVec3(mesh.positions[corners[2]]) - corner;
-            const GlowingTriangle part(transformPoint(place, corner), turn * a, turn * b,
-                                       turn * glm::cross(a, b), mesh.doubleSided);
-            addPart(part, part.area());
+            addPart(GlowingTriangle(transformPoint(place, corner), DMat3(place) * a, DMat3(place) * b,
+                                    DMat3(place) * glm::cross(a, b), mesh.doubleSided));
         }
     };
     std::visit(
@@ -147,7 +159,7 @@ std::optional<GlowSample> GlowingObjects::sample(const Vec3& from, std::uint32_t
     const auto chosen = std::upper_bound(below_.begin(), below_.end() - 1, u.x) - below_.begin();
     const auto i = static_cast<std::size_t>(chosen);
     const Part& part = parts_[i];
-    if (part.isSphereOf(instance)) return std::nullopt;
+    if (part.isRoundOf(instance)) return std::nullopt;
     constexpr float kBelowOne = 0x1.fffffep-1F;
     const float start = i == 0 ? 0 : below_[i - 1];
     const Vec2 within(std::clamp((u.x - start) / part.probability, 0.0F, kBelowOne), u.y);
@@ -162,8 +174,12 @@ float GlowingObjects::pdfW(const Hit& hit, const Vec3& from, std::uint32_t insta
     const int first = ofInstance_[hit.instance];
     if (first < 0) return 0;
     const Part& part = parts_[static_cast<std::size_t>(first) + hit.primitive];
-    if (part.isSphereOf(instance)) return 0;
-    return part.probability * std::visit([&](const auto& shape) { return shape.pdfW(from, wi); }, part.shape);
+    if (part.isRoundOf(instance)) return 0;
+    const auto density = Overloaded{
+        [&](const CylinderSide& side) { return side.pdfW(from, wi, hit.t); },
+        [&](const auto& shape) { return shape.pdfW(from, wi); },
+    };
+    return part.probability * std::visit(density, part.shape);
 }
 
 }
