@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include "core/scene/choose_index.h"
 #include "tests/geometry_cases.h"
 #include "tests/scenes.h"
 
@@ -187,6 +188,24 @@ TEST(World, SharesItsIndexWhileNoSurfaceMoves) {
     expectShared(false, "an object less");
 }
 
+TEST(World, RefittedToMovedObjectsGivesTheBitsOfOneBuiltAnew) {
+    Scene scene = mixedScene(12);
+    const auto shared = [&] { return std::make_shared<const Scene>(scene); };
+    for (const AccelKind kind : {AccelKind::Brute, AccelKind::Bvh2, AccelKind::Bvh8}) {
+        const auto old = buildWorld(shared(), {kind});
+        EXPECT_FALSE(old->refitted);
+        scene.objects[5].transform[3].x += 0.1;
+        scene.objects[25].transform[3].y -= 0.2;
+        const auto moved = refitWorld(shared(), {kind}, *old);
+        EXPECT_EQ(moved->refitted, kind != AccelKind::Brute);
+        const auto anew = buildWorld(shared(), {kind}, moved.get());
+        EXPECT_FALSE(anew->refitted);
+        EXPECT_EQ(refitWorld(shared(), {kind}, *moved)->accel, moved->accel) << "nothing has moved since";
+        EXPECT_EQ(Tracing(moved, toDepth(4), kWidth, kHeight).radiance(),
+                  Tracing(anew, toDepth(4), kWidth, kHeight).radiance());
+    }
+}
+
 TEST(World, CountsPrimitivesOfAllInstances) {
     Scene scene = underSky(Color(0));
     const TriangleMesh mesh = cases::closedMesh(8, 16, 1);
@@ -203,6 +222,20 @@ TEST(World, OfAFewPrimitivesIsNotIndexed) {
     for (std::size_t i = 0; i < kBruteForceLimit; ++i) add(scene, Sphere{1}, matte(Color(1)));
     EXPECT_EQ(Tracing(scene).world().accelKind, AccelKind::Brute);
     add(scene, Sphere{1}, matte(Color(1)));
+    EXPECT_EQ(Tracing(scene).world().accelKind, AccelKind::Bvh8);
+    scene.objects.back().visible = false;
+    EXPECT_EQ(Tracing(scene).world().accelKind, AccelKind::Brute);
+    scene.lights = {lampAt({0, 4, 0}, RectangleLamp{1, 1})};
+    EXPECT_EQ(Tracing(scene).world().accelKind, AccelKind::Bvh8) << "a lamp that is seen counts";
+    scene.lights[0].shape = PointLamp{};
+    EXPECT_EQ(Tracing(scene).world().accelKind, AccelKind::Brute);
+}
+
+TEST(World, OfTwoCylindersIsIndexedForTheyTakeLongToTest) {
+    Scene scene = underSky(Color(0));
+    add(scene, Cylinder{1, 0.5F, 0.5F}, matte(Color(1)));
+    EXPECT_EQ(Tracing(scene).world().accelKind, AccelKind::Brute);
+    add(scene, Cylinder{1, 0, 0.5F}, matte(Color(1)));
     EXPECT_EQ(Tracing(scene).world().accelKind, AccelKind::Bvh8);
 }
 

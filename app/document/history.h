@@ -23,6 +23,7 @@ public:
     void replace(Document changed) { present_ = std::move(changed); }
     /// Ends a gesture: the next change is a step of its own.
     void endGesture() { gesture_.clear(); }
+    bool inGesture() const { return !gesture_.empty(); }
 
     bool canUndo() const { return !before_.empty(); }
     bool canRedo() const { return !after_.empty(); }

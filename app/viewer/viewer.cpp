@@ -134,7 +134,7 @@ bool Viewer::update() {
     const bool loaded = takeLoaded();
     const bool built = takeBuilt();
     if (!hasScene()) return loaded || loading();
-    if (document().scene != builtScene_ || !(document().build == builtSettings_)) startBuilding();
+    if (mustBuild()) startBuilding();
     const bool started = startRendering();
     const bool metered = meterExposure();
     const bool compared = updateComparison(), layered = updateLayer(), lit = updatePhotons();
@@ -208,13 +208,21 @@ void Viewer::show(OpenedScene opened) {
                            opened_.reference, changes));
 }
 
+/// Also once a drag has ended that a refitted World has followed: what rays visit never tells how one came
+/// there.
+bool Viewer::mustBuild() const {
+    if (document().scene != builtScene_ || !(document().build == builtSettings_)) return true;
+    return world_ && world_->refitted && !history_->inGesture() && !building();
+}
+
 void Viewer::startBuilding() {
     builtScene_ = document().scene;
     builtSettings_ = document().build;
-    building_.start(
-        [scene = builtScene_, settings = builtSettings_, previous = world_](const std::stop_token& stop) {
-            return buildWorld(scene, settings, previous.get(), stop);
-        });
+    building_.start([scene = builtScene_, settings = builtSettings_, previous = world_,
+                     refits = history_->inGesture()](const std::stop_token& stop) {
+        return refits && previous ? refitWorld(scene, settings, *previous, stop)
+                                  : buildWorld(scene, settings, previous.get(), stop);
+    });
 }
 
 bool Viewer::takeBuilt() {

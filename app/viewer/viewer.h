@@ -182,6 +182,7 @@ public:
 private:
     void change(Document, const std::string& gesture);
     bool takeLoaded();
+    bool mustBuild() const;
     void startBuilding();
     bool takeBuilt();
     bool startRendering();

@@ -49,6 +49,7 @@ struct IndexedGeometry {
     std::vector<Instance<Index>> instances;
     Index top;                         // over the bounded instances, if there are several
     std::vector<std::uint32_t> always; // tested by every ray: infinite planes, and a single bounded instance
+    std::optional<double> costBuilt;   // if the top level is refitted: of the tree when it was built
     bool shapesOnly = true;            // no mesh
     std::size_t primitives = 0;        // triangles and shapes, instances counted each
     std::size_t nodes = 0, bytes = 0;  // of the indices, meshes counted once
@@ -70,6 +71,12 @@ Bounds boundsOf(const Instance<Index>&);
 /// Top level over placed objects; those whose box is empty or not a number are never hit.
 template <class Index>
 IndexedGeometry<Index> indexInstances(std::vector<Instance<Index>>, const std::stop_token&);
+
+/// The same, sooner, for objects that have moved since `before`, and of the same hits: with its tree, where
+/// that holds the same instances and has not become half as costly again since it was built.
+template <class Index>
+IndexedGeometry<Index> refitInstances(std::vector<Instance<Index>>, const IndexedGeometry<Index>& before,
+                                      const std::stop_token&);
 
 /// Closest hit in (tMin, tMax) among the instances of the mask, or nothing. Equal t: the lower (instance,
 /// primitive) wins, whatever the index. Thread-safe.

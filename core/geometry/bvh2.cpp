@@ -145,4 +145,24 @@ Bvh2::Bvh2(std::span<const Bounds> boxes, int leafSize, const std::stop_token& s
     std::ranges::transform(items, entries_.begin(), &BoxItem::entry);
 }
 
+void Bvh2::refit(std::span<const Bounds> boxes) {
+    for (std::size_t i = nodes_.size(); i-- > 0;) { // children come after their parents
+        Node& node = nodes_[i];
+        Bounds box;
+        if (node.count == 0)
+            for (std::uint32_t child = node.first; child < node.first + 2; ++child)
+                box.add(nodes_[child].bounds());
+        for (std::uint32_t slot = node.first; slot < node.first + node.count; ++slot)
+            box.add(boxes[entries_[slot]]);
+        node.corners = {{{box.lo.x, box.lo.y, box.lo.z}, {box.hi.x, box.hi.y, box.hi.z}}};
+    }
+    if (!nodes_.empty()) bounds_ = nodes_.front().bounds();
+}
+
+double Bvh2::cost() const {
+    double sum = 0;
+    for (const Node& node : nodes_) sum += node.bounds().halfArea();
+    return sum;
+}
+
 }

@@ -26,6 +26,11 @@ public:
         std::array<std::array<float, 3>, 2> corners; // lower, upper
         std::uint32_t first;                         // slot of a leaf, else left child
         std::uint32_t count;                         // of a leaf, else 0
+
+        Bounds bounds() const {
+            const auto& [lo, hi] = corners;
+            return {{lo[0], lo[1], lo[2]}, {hi[0], hi[1], hi[2]}};
+        }
     };
     static_assert(sizeof(Node) == 32);
 
@@ -33,6 +38,12 @@ public:
     /// Takes the boxes that are finite and not empty; leaves hold up to `leafSize`. `atOnce`: how many
     /// entries one test takes. Empty if `stop` was requested.
     Bvh2(std::span<const Bounds> boxes, int leafSize, const std::stop_token& stop, int atOnce = 1);
+
+    /// Puts new boxes, finite and not empty, in place of those that it holds. The tree stays, and fits worse
+    /// the farther boxes have moved from each other.
+    void refit(std::span<const Bounds> boxes);
+    /// By the surface area heuristic rays come to as many nodes as these have area: half of that, in m².
+    double cost() const;
 
     /// Calls test(slot) for the entries whose boxes the ray may meet at t in [tMin, limit], roughly from near
     /// to far, until it returns true; whether it did. `limit` may shrink meanwhile. `log`: Watched if it is

@@ -8,9 +8,23 @@
 namespace eyeray {
 namespace {
 
-Bounds boundsOf(const Bvh2::Node& node) {
+Bounds boxOf(const Bvh8::Node& node, std::size_t lane) {
     const auto& [lo, hi] = node.corners;
-    return {{lo[0], lo[1], lo[2]}, {hi[0], hi[1], hi[2]}};
+    return {{lo[0][lane], lo[1][lane], lo[2][lane]}, {hi[0][lane], hi[1][lane], hi[2][lane]}};
+}
+
+void setBox(Bvh8::Node& node, std::size_t lane, const Bounds& box) {
+    for (int axis = 0; axis < 3; ++axis) {
+        const auto a = static_cast<std::size_t>(axis);
+        node.corners[0][a][lane] = box.lo[axis];
+        node.corners[1][a][lane] = box.hi[axis];
+    }
+}
+
+Bounds boundsOf(const Bvh8::Node& node) {
+    Bounds box;
+    for (std::size_t lane = 0; lane < Bvh8::kWidth; ++lane) box.add(boxOf(node, lane)); // or nothing
+    return box;
 }
 
 }
@@ -48,7 +62,7 @@ private:
 
     void put(Parts& parts, std::size_t lane, std::uint32_t root) const {
         parts.root[lane] = root;
-        parts.area[lane] = node(root).count > 0 ? -1.0F : boundsOf(node(root)).halfArea();
+        parts.area[lane] = node(root).count > 0 ? -1.0F : node(root).bounds().halfArea();
         parts.count = std::max(parts.count, lane + 1);
     }
 
@@ -67,19 +81,13 @@ private:
     }
 
     void addNode(std::uint32_t root) {
-        constexpr std::size_t kLower = 0, kUpper = 1;
         const std::size_t index = wide_.nodes_.size();
         Node& result = wide_.nodes_.emplace_back();
-        for (std::size_t axis = 0; axis < 3; ++axis) {
-            result.corners[kLower][axis].fill(kInfinity);
-            result.corners[kUpper][axis].fill(-kInfinity);
-        }
+        for (std::size_t lane = 0; lane < kWidth; ++lane) setBox(result, lane, Bounds{});
         const Parts parts = opened(root);
         for (std::size_t lane = 0; lane < parts.count; ++lane) {
             const Bvh2::Node& part = node(parts.root[lane]);
-            for (const std::size_t side : {kLower, kUpper})
-                for (std::size_t axis = 0; axis < 3; ++axis)
-                    result.corners[side][axis][lane] = part.corners[side][axis];
+            setBox(result, lane, part.bounds());
             if (part.count > 0)
                 result.child[lane] = addLeaf(part);
             else
@@ -105,10 +113,35 @@ Bvh8::Bvh8(std::span<const Bounds> boxes, int leafSize, const std::stop_token& s
     ENSURE(leafSize >= 1 && leafSize <= static_cast<int>(kWidth));
     const Bvh2 binary(boxes, leafSize, stop, leafSize);
     if (binary.nodes().empty()) return;
-    bounds_ = boundsOf(binary.nodes().front());
+    bounds_ = binary.nodes().front().bounds();
     size_ = binary.size();
     Collapse(binary, leafSize, *this).run();
     ENSURE(entries_.size() <= kLeafBit / kMostSlots);
+}
+
+void Bvh8::refit(std::span<const Bounds> boxes) {
+    for (std::size_t i = nodes_.size(); i-- > 0;) { // children come after their parents
+        Node& node = nodes_[i];
+        for (std::size_t lane = 0; lane < childrenOf(node); ++lane) {
+            Bounds box;
+            if (isLeaf(node.child[lane])) {
+                const Leaf leaf = leafOf(node.child[lane]);
+                for (const std::uint32_t entry : entries().subspan(leaf.first, leaf.count))
+                    box.add(boxes[entry]);
+            } else {
+                box = boundsOf(nodes_[node.child[lane]]);
+            }
+            setBox(node, lane, box);
+        }
+    }
+    if (!nodes_.empty()) bounds_ = boundsOf(nodes_.front());
+}
+
+double Bvh8::cost() const {
+    double sum = 0;
+    for (const Node& node : nodes_)
+        for (std::size_t lane = 0; lane < childrenOf(node); ++lane) sum += boxOf(node, lane).halfArea();
+    return sum;
 }
 
 }

@@ -33,6 +33,10 @@ public:
     /// Empty if `stop` was requested.
     Bvh8(std::span<const Bounds> boxes, int leafSize, const std::stop_token& stop);
 
+    /// As those of Bvh2.
+    void refit(std::span<const Bounds> boxes);
+    double cost() const;
+
     /// Which box each slot stands for. A leaf has its slots from a multiple of the leaf size on; those that
     /// it leaves over are kNone.
     std::span<const std::uint32_t> entries() const { return entries_; }

@@ -4,6 +4,7 @@
 #include <unordered_map>
 
 #include "core/geometry/same_instances.h"
+#include "core/scene/choose_index.h"
 #include "core/scene/touching_glass.h"
 
 namespace eyeray {
@@ -19,15 +20,6 @@ Overloaded(Fs...) -> Overloaded<Fs...>;
 template <class T>
 const T& at(const std::vector<T>& values, int id) {
     return values[static_cast<std::size_t>(id)];
-}
-
-std::size_t primitivesOf(const Scene& scene) {
-    std::size_t count = 0;
-    for (const Object& object : scene.objects) {
-        const auto* mesh = std::get_if<MeshId>(&object.geometry);
-        count += mesh != nullptr ? at(scene.meshes, mesh->index).triangles->triangles.size() : 1;
-    }
-    return count;
 }
 
 WorldMaterial prepared(const Material& material) {
@@ -49,17 +41,24 @@ bool invertible(const DMat4& m) {
     return std::isfinite(determinant) && determinant != 0;
 }
 
+/// What may be taken over from another World.
+struct Reuse {
+    const World* previous = nullptr;
+    bool refits = false; // also its tree, over objects that have moved
+};
+
 /// Builds the instances of one World, in scene order.
 template <class Index>
 class Builder {
 public:
-    Builder(const Scene& scene, World& world, const World* previous, std::stop_token stop)
-        : scene_(scene), world_(world), stop_(std::move(stop)) {
+    Builder(const Scene& scene, World& world, const Reuse& reuse, std::stop_token stop)
+        : scene_(scene), world_(world), refits_(reuse.refits), stop_(std::move(stop)) {
         const std::size_t most = scene.objects.size() + scene.lights.size();
         instances_.reserve(most);
         world_.objects.reserve(most);
-        if (previous == nullptr || !std::holds_alternative<IndexedGeometry<Index>>(*previous->accel)) return;
-        previous_ = previous->accel;
+        if (reuse.previous == nullptr) return;
+        if (!std::holds_alternative<IndexedGeometry<Index>>(*reuse.previous->accel)) return;
+        previous_ = reuse.previous->accel;
         for (const auto& instance : geometryIn(*previous_).instances)
             if (const auto* mesh = std::get_if<std::shared_ptr<const IndexedMesh<Index>>>(&instance.geometry))
                 meshes_.emplace((*mesh)->mesh.get(), *mesh);
@@ -114,11 +113,9 @@ public:
     std::shared_ptr<const Accel> finish() {
         rankGlass();
         joinTouchingGlass(instances_, glass_, stop_);
-        auto accel =
-            previous_ != nullptr && sameInstances<Index>(geometryIn(*previous_).instances, instances_)
-                ? previous_
-                : std::make_shared<const Accel>(indexInstances(std::move(instances_), stop_));
+        auto accel = canShare() ? previous_ : std::make_shared<const Accel>(indexed());
         const auto& geometry = geometryIn(*accel);
+        world_.refitted = geometry.costBuilt.has_value();
         world_.primitives = geometry.primitives;
         world_.bytes = geometry.bytes;
         world_.nodes = geometry.nodes;
@@ -131,6 +128,17 @@ private:
 
     static const IndexedGeometry<Index>& geometryIn(const Accel& accel) {
         return std::get<IndexedGeometry<Index>>(accel);
+    }
+
+    bool canShare() const {
+        return previous_ != nullptr && (refits_ || !geometryIn(*previous_).costBuilt) &&
+               sameInstances<Index>(geometryIn(*previous_).instances, instances_);
+    }
+
+    IndexedGeometry<Index> indexed() {
+        return refits_ && previous_ != nullptr
+                   ? refitInstances(std::move(instances_), geometryIn(*previous_), stop_)
+                   : indexInstances(std::move(instances_), stop_);
     }
 
     bool solid(const Object& object) const {
@@ -174,6 +182,7 @@ private:
 
     const Scene& scene_;
     World& world_;
+    bool refits_;
     std::stop_token stop_;
     std::shared_ptr<const Accel> previous_; // of the same kind
     MeshMap meshes_;
@@ -222,9 +231,9 @@ WorldLight prepared(const Light& light, int id, const DVec3& origin) {
 }
 
 template <class Index>
-std::shared_ptr<const Accel> index(const Scene& scene, World& world, const World* previous,
+std::shared_ptr<const Accel> index(const Scene& scene, World& world, const Reuse& reuse,
                                    const std::stop_token& stop) {
-    Builder<Index> builder(scene, world, previous, stop);
+    Builder<Index> builder(scene, world, reuse, stop);
     for (std::size_t i = 0; i < scene.objects.size() && !stop.stop_requested(); ++i)
         builder.add(scene.objects[i], static_cast<int>(i));
     for (std::size_t i = 0; i < scene.lights.size(); ++i)
@@ -232,11 +241,8 @@ std::shared_ptr<const Accel> index(const Scene& scene, World& world, const World
     return builder.finish();
 }
 
-}
-
-std::shared_ptr<const World> buildWorld(const std::shared_ptr<const Scene>& shared,
-                                        const BuildSettings& settings, const World* previous,
-                                        const std::stop_token& stop) {
+std::shared_ptr<const World> build(const std::shared_ptr<const Scene>& shared, const BuildSettings& settings,
+                                   const Reuse& reuse, const std::stop_token& stop) {
     const Scene& scene = *shared;
     auto world = std::make_shared<World>();
     world->scene = shared;
@@ -244,22 +250,35 @@ std::shared_ptr<const World> buildWorld(const std::shared_ptr<const Scene>& shar
     world->origin = bounds.empty() ? scene.cameras.front().eye : bounds.center();
     world->radius = static_cast<float>(bounds.radius());
     world->needs = analyseNeeds(scene);
+    world->materials.reserve(scene.materials.size() + scene.lights.size());
     for (const Material& material : scene.materials) world->materials.push_back(prepared(material));
     for (std::size_t i = 0; i < scene.lights.size(); ++i)
         if (scene.lights[i].enabled && scene.lights[i].intensity > 0)
             world->lights.push_back(prepared(scene.lights[i], static_cast<int>(i), world->origin));
 
-    world->accelKind = settings.accel;
-    if (settings.accel == AccelKind::Auto)
-        world->accelKind = primitivesOf(scene) <= kBruteForceLimit ? AccelKind::Brute : AccelKind::Bvh8;
+    world->accelKind = settings.accel == AccelKind::Auto ? chooseIndex(scene) : settings.accel;
     if (world->accelKind == AccelKind::Brute)
-        world->accel = index<BruteForce>(scene, *world, previous, stop);
+        world->accel = index<BruteForce>(scene, *world, reuse, stop);
     else if (world->accelKind == AccelKind::Bvh2)
-        world->accel = index<Bvh2>(scene, *world, previous, stop);
+        world->accel = index<Bvh2>(scene, *world, reuse, stop);
     else
-        world->accel = index<Bvh8>(scene, *world, previous, stop);
+        world->accel = index<Bvh8>(scene, *world, reuse, stop);
     if (stop.stop_requested()) return nullptr;
     return world;
+}
+
+}
+
+std::shared_ptr<const World> buildWorld(const std::shared_ptr<const Scene>& scene,
+                                        const BuildSettings& settings, const World* previous,
+                                        const std::stop_token& stop) {
+    return build(scene, settings, {previous}, stop);
+}
+
+std::shared_ptr<const World> refitWorld(const std::shared_ptr<const Scene>& scene,
+                                        const BuildSettings& settings, const World& previous,
+                                        const std::stop_token& stop) {
+    return build(scene, settings, {&previous, true}, stop);
 }
 
 }

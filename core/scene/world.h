@@ -20,13 +20,9 @@ enum class AccelKind : std::uint8_t { Auto, Brute, Bvh2, Bvh8 };
 inline constexpr std::array<std::string_view, 4> kAccelNames = {"auto", "brute", "bvh2", "bvh8"};
 
 struct BuildSettings {
-    AccelKind accel = AccelKind::Auto; // Auto: brute force up to kBruteForceLimit primitives, else Bvh8
+    AccelKind accel = AccelKind::Auto; // Auto: by choose_index.h
     friend bool operator==(const BuildSettings&, const BuildSettings&) = default;
 };
-
-// On bubble, of six, brute force takes 0.23 s where Bvh8 takes 0.36 s; on cornell, of eight, 0.07 s and 0.06
-// s (960x540, one sample, one thread).
-inline constexpr std::size_t kBruteForceLimit = 6;
 
 /// A material ready for tracing: its surface, and what has to be read anew at each point, if anything.
 struct WorldMaterial {
@@ -77,12 +73,19 @@ struct World {
 
     AccelKind accelKind = AccelKind::Bvh8;            // which one Auto has become
     std::size_t primitives = 0, nodes = 0, bytes = 0; // of the accelerator
+    bool refitted = false; // its tree is that of a World before: the same hits by way of other nodes
 };
 
-/// Prepares a scene for tracing. Indices over meshes that `previous` already has are shared with it. Returns
+/// Prepares a scene for tracing. Shares with `previous` the indices over meshes that it has, and all of its
+/// accelerator if no surface is another or elsewhere; nothing of the World else depends on it. Returns
 /// nothing if `stop` was requested.
 std::shared_ptr<const World> buildWorld(const std::shared_ptr<const Scene>&, const BuildSettings&,
                                         const World* previous = nullptr, const std::stop_token& stop = {});
+
+/// The same pictures sooner where objects have moved since `previous`: its tree may stay, with other boxes.
+/// Then what rays visit on their way depends on where objects were before.
+std::shared_ptr<const World> refitWorld(const std::shared_ptr<const Scene>&, const BuildSettings&,
+                                        const World& previous, const std::stop_token& stop = {});
 
 /// The surface of a varying material at a hit: textures and vertex colour read. `uv(set)` gives texture
 /// coordinates.
