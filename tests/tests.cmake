@@ -52,6 +52,10 @@ if(EYERAY_BUILD_APP)
   target_link_libraries(eyeray_leaks_bench PRIVATE eyeray_core)
   eyeray_compile_options(eyeray_leaks_bench)
 
+  add_executable(eyeray_instructions_bench EXCLUDE_FROM_ALL tests/bench/instructions/main.cpp)
+  target_link_libraries(eyeray_instructions_bench PRIVATE eyeray_app)
+  eyeray_compile_options(eyeray_instructions_bench)
+
   add_executable(eyeray_pov_mesh EXCLUDE_FROM_ALL tests/bench/povray/mesh.cpp)
   target_link_libraries(eyeray_pov_mesh PRIVATE eyeray_core)
   eyeray_compile_options(eyeray_pov_mesh)
