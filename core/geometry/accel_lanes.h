@@ -154,13 +154,13 @@ HWY_INLINE FloatMask anyHits(const IndexedGeometry<Index>& geometry, const RayLa
 /// Calls each(instance, lanes) for every instance that is hit in lanes of `asked`.
 template <class Each>
 HWY_INLINE void eachInstance(IntLanes instances, FloatMask asked, const Each& each) {
-    const SpreadInt ids = spread(instances);
-    for (std::uint32_t bits = bitsOf(asked); bits != 0;) {
-        const std::uint32_t id = ids.at(static_cast<std::size_t>(std::countr_zero(bits)));
-        const auto there =
-            hn::RebindMask(FloatTag(), instances == hn::Set(IntTag(), static_cast<std::int32_t>(id)));
-        each(id, hn::And(there, asked));
-        bits &= ~bitsOf(there);
+    const FloatTag f;
+    const IntTag n;
+    while (!hn::AllFalse(f, asked)) {
+        const std::int32_t id = hn::GetLane(hn::Compress(instances, hn::RebindMask(n, asked)));
+        const auto there = hn::And(asked, hn::RebindMask(f, instances == hn::Set(n, id)));
+        each(static_cast<std::uint32_t>(id), there);
+        asked = hn::AndNot(there, asked);
     }
 }
 

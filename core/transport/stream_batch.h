@@ -37,7 +37,7 @@ HWY_INLINE IntLanes loadInts(const std::vector<std::uint32_t>& column, std::size
 }
 
 /// The lanes of the mask, close together; what comes after them is overwritten. Not CompressStore, which
-/// takes some processors a hundred cycles.
+/// is slow on AMD's processors.
 HWY_INLINE void compress(FloatLanes values, FloatMask mask, std::vector<float>& column, std::size_t first) {
     hn::StoreU(hn::Compress(values, mask), FloatTag(), &column[first]);
 }
@@ -80,7 +80,14 @@ struct Batch {
         return hn::GatherIndex(IntTag(), reinterpret_cast<const std::int32_t*>(column.data()), rays);
     }
     /// Stores the values of the lanes with their rays.
-    void put(const Vec3Lanes& values, Columns3& columns) const {
+    HWY_INLINE void put(const Vec3Lanes& values, Columns3& columns) const {
+        if (together) {
+            const FloatTag f;
+            hn::BlendedStore(values.x, active, f, &columns.x[first]);
+            hn::BlendedStore(values.y, active, f, &columns.y[first]);
+            hn::BlendedStore(values.z, active, f, &columns.z[first]);
+            return;
+        }
         const SpreadInt places = spread(rays);
         const Spread3 s = spread(values);
         for (std::size_t lane = 0; lane < count; ++lane) columns.set(places.at(lane), s.at(lane));

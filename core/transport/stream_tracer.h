@@ -6,11 +6,9 @@
 #define EYERAY_STREAM_TRACER_H
 #endif
 
-#include <numeric>
-
 #include "core/transport/integrator.h"
 #include "core/transport/next_rays.h"
-#include "core/transport/stream_batch.h"
+#include "core/transport/stream_hits.h"
 #include "core/transport/stream_materials.h"
 #include "core/transport/stream_shading.h"
 #include "core/transport/stream_visibility.h"
@@ -38,12 +36,12 @@ public:
             outgrown_ |= ++memory_.treeNodes[rays.sample[i]] > kMaxTreeNodes;
         if (outgrown_ || context_.stop.stop_requested()) return;
         findHits(rays);
-        sortByMaterial(rays);
+        sortByMaterial(world_, rays);
         RayStream& next = memory_.stream(depth + 1);
         next.size = 0;
         for (std::size_t place = 0; place < rays.ends.back();) {
             if (next.size + 2 * kLanes > RayStream::kCapacity) traceNext(depth);
-            const Batch batch = batchAt(rays, place);
+            const Batch batch = batchAt(world_, rays, place);
             place += batch.count;
             shade(rays, batch, next, static_cast<int>(depth));
         }
@@ -73,99 +71,11 @@ private:
             store(all(Color(0)), rays.onward, i);
             store(radianceOf(world_.scene->environment, load(rays.direction, i)), rays.direct, i);
         }
-        closestHits(rays);
+        closestHits(geometry_, rays);
         for (std::size_t i = 0; i < rays.size && glass_.attenuates; ++i) {
             const Color sigma = attenuationIn(world_, memory_.media.at(rays.media[i]));
             rays.transmitted.set(i, transmittanceOf(sigma, rays.t[i]));
         }
-    }
-
-    void closestHits(RayStream& rays) const {
-        if constexpr (std::is_same_v<Index, BruteForce>)
-            if (geometry_.shapesOnly) return closestShapes(rays);
-        for (std::size_t i = 0; i < rays.size; i += kLanes) {
-            const auto there = hn::FirstN(FloatTag(), rays.size - i);
-            HitLanes hits =
-                eyeray::HWY_NAMESPACE::closestHits(geometry_, raysAt(rays, i), there, RayMask::All);
-            hits.instance = hn::IfThenElse(hn::RebindMask(IntTag(), hits.met()), hits.instance, nothing());
-            storeHits(hits, rays, i);
-        }
-    }
-
-    /// A shape after the other through some hundred rays, which stay in the nearest cache: the tests of one
-    /// shape do not wait for each other, and branch alike.
-    void closestShapes(RayStream& rays) const {
-        constexpr std::size_t kBlock = 128;
-        for (std::size_t begin = 0; begin < rays.size; begin += kBlock) {
-            const std::size_t end = std::min(begin + kBlock, rays.size);
-            for (std::size_t i = begin; i < end; i += kLanes) storeHits({.instance = nothing()}, rays, i);
-            for (const auto ids : instancesOf(geometry_))
-                for (const std::uint32_t id : ids)
-                    for (std::size_t i = begin; i < end; i += kLanes) closestOfShape(id, rays, i);
-        }
-    }
-
-    HWY_INLINE void closestOfShape(std::uint32_t id, RayStream& rays, std::size_t i) const {
-        const auto t = load(rays.t, i), none = all(kInfinity);
-        const auto limit = hn::IfThenElse(t < none, nextAbove(t), none);
-        NearestLanes nearest{
-            limit, {t, load(rays.u, i), all(0.0F), loadInts(rays.primitive, i), loadInts(rays.instance, i)}};
-        nearest.offer(intersectShape(geometry_.instances[id], raysAt(rays, i), limit), id);
-        storeHits(nearest.hit, rays, i);
-    }
-
-    static HWY_INLINE IntLanes nothing() { return hn::Set(IntTag(), -1); }
-
-    static HWY_INLINE RayLanes raysAt(const RayStream& rays, std::size_t i) {
-        return {load(rays.origin, i), load(rays.direction, i), all(0.0F), all(kInfinity)};
-    }
-
-    static HWY_INLINE void storeHits(const HitLanes& hits, RayStream& rays, std::size_t i) {
-        store(hits.t, rays.t, i), store(hits.u, rays.u, i), store(hits.v, rays.v, i);
-        store(hits.primitive, rays.primitive, i), store(hits.instance, rays.instance, i);
-    }
-
-    std::uint32_t materialOfRay(const RayStream& rays, std::size_t i) const {
-        return world_.objects[rays.instance[i]].material;
-    }
-
-    /// Rays that hit something, in `order`; `ends` are where each bucket ends.
-    void sortByMaterial(RayStream& rays) const {
-        const auto eachBucket = [&](std::size_t i, const auto& each) HWY_ATTR {
-            const auto instances = loadInts(rays.instance, i);
-            const auto hit = hn::And(hn::FirstN(FloatTag(), rays.size - i),
-                                     hn::RebindMask(FloatTag(), instances != nothing()));
-            eachInstance(instances, hit, [&](std::uint32_t id, FloatMask lanes) HWY_ATTR {
-                each(rays.ends[world_.objects[id].material % RayStream::kBuckets], lanes);
-            });
-        };
-        rays.ends.fill(0);
-        for (std::size_t i = 0; i < rays.size; i += kLanes)
-            eachBucket(i, [](std::uint32_t& size, FloatMask lanes) HWY_ATTR {
-                size += static_cast<std::uint32_t>(hn::CountTrue(FloatTag(), lanes));
-            });
-        std::exclusive_scan(rays.ends.begin(), rays.ends.end(), rays.ends.begin(), 0U);
-        const IntTag n;
-        for (std::size_t i = 0; i < rays.size; i += kLanes) {
-            const auto numbers = hn::Iota(n, static_cast<std::int32_t>(i));
-            eachBucket(i, [&](std::uint32_t& end, FloatMask lanes) HWY_ATTR {
-                const std::size_t count = hn::CountTrue(FloatTag(), lanes);
-                hn::BlendedStore(hn::Compress(numbers, hn::RebindMask(n, lanes)), hn::FirstN(n, count), n,
-                                 reinterpret_cast<std::int32_t*>(&rays.order[end]));
-                end += static_cast<std::uint32_t>(count);
-            });
-        }
-    }
-
-    Batch batchAt(const RayStream& rays, std::size_t place) const {
-        const auto material = [&](std::size_t i) { return materialOfRay(rays, rays.order[i]); };
-        const std::size_t end = rays.ends[material(place) % RayStream::kBuckets];
-        std::size_t count = std::min(kLanes, end - place);
-        if (world_.materials.size() > RayStream::kBuckets) {
-            const std::size_t most = count;
-            for (count = 1; count < most && material(place + count) == material(place);) ++count;
-        }
-        return Batch(rays.order, place, count);
     }
 
     void shade(RayStream& rays, const Batch& batch, RayStream& next, int depth) {
@@ -174,7 +84,7 @@ private:
                             batch.of(rays.instance)};
         const SurfaceLanes at = surfacesAt(geometry_, lanes, hits, batch.active);
         const ShadingLanes p = shadingOf(at, lanes.direction);
-        const std::uint32_t material = materialOfRay(rays, batch.first);
+        const std::uint32_t material = materialOfRay(world_, rays, batch.first);
         const MaterialLanes m = materialAt(world_, geometry_, material, at.position, hits, batch.active);
         const IntLanes media = batch.of(rays.media);
         batch.put(directLight(batch, p, m, media), rays.direct);

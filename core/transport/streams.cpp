@@ -67,8 +67,10 @@ private:
         memory_.treeNodes.assign(eye_.size, 0);
         result_.counts[RayKind::Eye] += eye_.size;
         tracer_.trace(0);
+        const std::size_t before = result_.radiance.size();
+        result_.radiance.resize(before + eye_.size);
         for (std::size_t i = 0; i < eye_.size; ++i)
-            result_.radiance.push_back(validSample(eye_.direct.at(i), result_.counts));
+            result_.radiance[before + i] = validSample(eye_.direct.at(i), result_.counts);
         eye_.size = 0;
     }
 
