@@ -79,7 +79,7 @@ void edit(const std::string& scene) {
         if (rebuild) rebuilt.push_back((build + seconds) * 1e3);
         document = changed;
     }
-    printSeries(scene, coarse, {Goal::Of::Percentile95, 30});
+    printSeries(scene, coarse, {Goal::Of::Percentile95, 16});
     printSeries("  of the scene, with its rebuilding", rebuilt);
 }
 
