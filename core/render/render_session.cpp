@@ -52,7 +52,7 @@ struct RenderSession::Job {
 };
 
 double RenderStatus::mraysPerSecond() const {
-    return seconds > 0 ? static_cast<double>(counts.total()) / seconds * 1e-6 : 0;
+    return seconds > 0 ? static_cast<double>(counts.total() - knownHits) / seconds * 1e-6 : 0;
 }
 
 RenderSession::RenderSession(int threads)
@@ -246,6 +246,7 @@ void RenderSession::run(const std::shared_ptr<Job>& job) {
         freeFilm(job->settings.width, job->settings.height, job->settings.trace.faults.has(Fault::EightBit));
     job->order = tilesFrom(*job->film, job->focus);
     job->tilesInAll = job->film->tiles();
+    eyeHits_.begin(*job->context, job->settings, job->film->tiles());
     const int step = coarseStep(job->settings);
     if (job->settings.coarse) traceCoarse(*job, step);
     {
@@ -263,8 +264,10 @@ void RenderSession::run(const std::shared_ptr<Job>& job) {
 
 /// Block size of a coarse picture that takes no longer than kCoarseSeconds, by how long the last one took.
 int RenderSession::coarseStep(const RenderSettings& settings) const {
-    if (secondsPerPixel_ <= 0) return kFirstStep;
-    const double all = secondsPerPixel_ * settings.width * settings.height;
+    const double seconds =
+        eyeHits_.known() ? secondsPerPixel_ : std::max(secondsPerPixel_, secondsPerNewPixel_);
+    if (seconds <= 0) return kFirstStep;
+    const double all = seconds * settings.width * settings.height;
     int step = kFinestStep;
     while (step < kCoarsestStep && all / (step * step) > kCoarseSeconds) step *= 2;
     return step;
@@ -283,12 +286,16 @@ void RenderSession::traceCoarse(Job& job, int step) {
         const int index = job.order[static_cast<std::size_t>(i)];
         Tile tile = job.film->tile(index);
         tile.step = step;
+        eyeHits_.lend(index, tile);
         const TileResult result = job.integrator->renderTile(context, tile, job.settings.firstPass);
-        if (result.complete) job.film->preview(index, result);
+        if (!result.complete) return;
+        eyeHits_.takeBack(index, tile);
+        job.film->preview(index, result);
     });
     if (!whole || context.stop.stop_requested()) return; // its time would say nothing
     const double pixels = static_cast<double>(job.settings.width) * job.settings.height / (step * step);
     secondsPerPixel_ = secondsSince(start) / pixels;
+    if (!eyeHits_.known()) secondsPerNewPixel_ = secondsPerPixel_;
 }
 
 /// False if it was broken off; its finished tiles stay and need not be done again.
@@ -311,12 +318,15 @@ bool RenderSession::tracePass(Job& job, int pass) {
             const std::vector<std::uint8_t> wanted = job.film->wanted(index, pass);
             Tile tile = job.film->tile(index);
             tile.wanted = wanted;
+            if (pass == 0) eyeHits_.lend(index, tile);
             const TileResult result =
                 job.integrator->renderTile(context, tile, job.settings.firstPass + pass);
             if (!result.complete) return;
+            if (pass == 0) eyeHits_.takeBack(index, tile);
             job.film->add(index, result, pass);
             const std::scoped_lock lock(mutex_);
             job.status.counts += result.counts;
+            if (tile.hitsKnown) job.status.knownHits += result.radiance.size();
         }
         ++job.tilesDone;
     });

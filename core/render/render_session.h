@@ -9,6 +9,7 @@
 #include <thread>
 
 #include "core/base/thread_pool.h"
+#include "core/render/eye_hits.h"
 #include "core/render/film.h"
 #include "core/render/render_settings.h"
 #include "core/scene/camera.h"
@@ -27,12 +28,13 @@ struct RenderStatus {
     double secondsToFirstPass = 0; // from start() to one sample in every pixel
     double estimatedError = -1;    // Film::estimatedError when last looked at; −1: not yet
     RayCounts counts;              // of the passes, the coarse picture left out
+    std::uint64_t knownHits = 0;   // of the eye rays in `counts`: EyeHits had them, and none was traced
     std::string finishedBy;        // which of the stop conditions ended it: "256 samples"
     std::string failure;           // one line, when it has failed
     int threads = 1;
 
     bool active() const { return phase == Phase::Coarse || phase == Phase::Refining; }
-    double mraysPerSecond() const;
+    double mraysPerSecond() const; // of those that were traced
 };
 
 /// All functions are called by one thread (the user interface) and never wait for tracing, unless they say
@@ -106,7 +108,9 @@ private:
     DVec2 focus_{-1};
 
     std::vector<std::shared_ptr<Film>> films_; // of the coordinator alone
+    EyeHits eyeHits_;                          // likewise, but for hits of tiles under way
     double secondsPerPixel_ = 0;               // likewise: of tracing, on all threads; as last measured
+    double secondsPerNewPixel_ = 0;            // likewise, whose eye hits were not known
 
     mutable std::mutex mutex_; // of all below
     std::condition_variable_any changed_;

@@ -7,6 +7,7 @@
 #include "core/transport/ray_counts.h"
 #include "core/transport/recorder.h"
 #include "core/transport/shading_point.h"
+#include "core/transport/tile_hits.h"
 #include "core/transport/trace_context.h"
 
 namespace eyeray {
@@ -36,6 +37,13 @@ struct TreeRay {
     float eta = 1, cosine = 0; // as in RayRecord
 };
 
+/// Where the hit of a sample's eye ray is kept, if anywhere, and whether it is there already.
+struct EyeHit {
+    TileHits* hits = nullptr;
+    std::size_t pixel = 0;
+    bool known = false;
+};
+
 /// What one sample of one pixel carries along.
 template <class Index, class Recorder>
 struct SampleState {
@@ -44,6 +52,7 @@ struct SampleState {
     RayCounts& counts;
     Recorder& recorder;
     SampleAddress address;
+    EyeHit eyeHit;
     int treeNodes = 0;
 
     FaultsOf<Index> faults() const { return FaultsOf<Index>(context.settings.faults); }
@@ -54,6 +63,17 @@ struct SampleState {
         return sample2(context.settings.sampler, address, node, purpose);
     }
 };
+
+/// The closest hit of a ray of the tree.
+template <class Index, class Recorder>
+std::optional<Hit> hitOf(const SampleState<Index, Recorder>& state, const TreeRay& ray) {
+    const EyeHit& kept = state.eyeHit;
+    const bool keeps = kept.hits != nullptr && ray.kind == RayKind::Eye;
+    if (keeps && kept.known) return kept.hits->at(kept.pixel);
+    const auto hit = closestHit(state.geometry, ray.ray);
+    if (keeps) kept.hits->set(kept.pixel, hit);
+    return hit;
+}
 
 inline constexpr float kBeforeLamp = 1 - 1e-6F; // of the way to a lamp a shadow ray goes
 

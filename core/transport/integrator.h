@@ -10,6 +10,7 @@
 #include "core/base/math.h"
 #include "core/transport/ray_counts.h"
 #include "core/transport/recorder.h"
+#include "core/transport/tile_hits.h"
 #include "core/transport/trace_context.h"
 
 namespace eyeray {
@@ -22,6 +23,13 @@ struct Tile {
     // Of each pixel, row by row: 0 leaves it out; empty: none is. Only with step 1.
     // NOLINTNEXTLINE(readability-redundant-member-init): GCC warns of members left out without
     std::span<const std::uint8_t> wanted = {};
+    TileHits* hits = nullptr; // where the hits of its eye rays are kept, if not null
+    bool hitsKnown = false;   // they are there already: no eye ray is traced
+
+    std::size_t pixel(int x, int y) const { // its number, row by row
+        return static_cast<std::size_t>(y - y0) * static_cast<std::size_t>(x1 - x0) +
+               static_cast<std::size_t>(x - x0);
+    }
 };
 
 /// Calls `each(x, y)` for the pixels of a tile that are traced, row by row.

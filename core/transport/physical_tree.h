@@ -32,7 +32,7 @@ Color physicalRadiance(SampleState<Index, Recorder>& state, const PhysicalRay& r
     ++state.counts[ray.forLamps ? RayKind::Shadow : ray.tree.kind];
     if (!ray.forLamps) state.counts.deepest = std::max(state.counts.deepest, ray.tree.depth);
     ++state.treeNodes;
-    const auto hit = closestHit(state.geometry, ray.tree.ray);
+    const auto hit = hitOf(state, ray.tree);
     const Color transmitted =
         F.transparent ? transmittanceIn(world, ray.tree.media, hit ? hit->t : kInfinity) : Color(1);
     const int record = [&] {

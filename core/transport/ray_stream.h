@@ -7,6 +7,7 @@
 
 #include "core/base/math.h"
 #include "core/transport/medium_table.h"
+#include "core/transport/tile_hits.h"
 
 namespace eyeray {
 
@@ -40,13 +41,13 @@ struct RayStream {
     std::vector<std::uint32_t> parent; // in the stream of the depth before
     std::vector<std::uint32_t> sample; // of the tile
 
-    std::vector<float> t, u, v; // of hits, by the names of Hit
+    std::vector<float> t, u, v; // of hits, as in TileHits
     std::vector<std::uint32_t> primitive, instance;
-    static constexpr std::uint32_t kMissed = 0xffffffff; // instance of a ray that meets the background
-    std::vector<std::uint32_t> order;                    // of those that hit something, by their bucket
-    static constexpr std::size_t kBuckets = 256;         // for materials, by their number modulo this
-    std::array<std::uint32_t, kBuckets> ends{};          // of the buckets in `order`
-    Columns3 direct, onward, transmitted;                // radiance of a ray = (direct + onward)·transmitted
+    bool hitsKnown = false;                      // they are there already
+    std::vector<std::uint32_t> order;            // of those that hit something, by their bucket
+    static constexpr std::size_t kBuckets = 256; // for materials, by their number modulo this
+    std::array<std::uint32_t, kBuckets> ends{};  // of the buckets in `order`
+    Columns3 direct, onward, transmitted;        // radiance of a ray = (direct + onward)·transmitted
 };
 
 /// What a thread needs to trace streams, kept from one tile to the next.

@@ -18,7 +18,7 @@ Color radianceAlong(SampleState<Index, Recorder>& state, const TreeRay& treeRay,
     const World& world = *state.context.world;
     ++state.counts[treeRay.kind];
     ++state.treeNodes;
-    const auto hit = closestHit(state.geometry, treeRay.ray);
+    const auto hit = hitOf(state, treeRay);
     Color transmitted(1);
     if (F.transparent && treeRay.media.top() != MediumStack::kVacuum) {
         const WorldObject& medium = world.objects[treeRay.media.top()];

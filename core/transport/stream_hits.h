@@ -17,7 +17,7 @@ HWY_BEFORE_NAMESPACE();
 namespace eyeray::HWY_NAMESPACE {
 
 /// The instance of lanes that meet the background.
-HWY_INLINE IntLanes missed() { return hn::Set(IntTag(), static_cast<std::int32_t>(RayStream::kMissed)); }
+HWY_INLINE IntLanes missed() { return hn::Set(IntTag(), static_cast<std::int32_t>(TileHits::kMissed)); }
 
 HWY_INLINE RayLanes raysAt(const RayStream& rays, std::size_t i) {
     return {load(rays.origin, i), load(rays.direction, i), all(0.0F), all(kInfinity)};

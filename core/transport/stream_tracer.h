@@ -71,7 +71,7 @@ private:
             store(all(Color(0)), rays.onward, i);
             store(radianceOf(world_.scene->environment, load(rays.direction, i)), rays.direct, i);
         }
-        closestHits(geometry_, rays);
+        if (!rays.hitsKnown) closestHits(geometry_, rays);
         for (std::size_t i = 0; i < rays.size && glass_.attenuates; ++i) {
             const Color sigma = attenuationIn(world_, memory_.media.at(rays.media[i]));
             rays.transmitted.set(i, transmittanceOf(sigma, rays.t[i]));

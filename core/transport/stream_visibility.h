@@ -118,7 +118,7 @@ Vec3Lanes visibility(const TraceContext& context, const IndexedGeometry<Index>& 
     const RaySpread single(rays);
     RayCounts counts;
     NoRecorder recorder;
-    SampleState<Index, NoRecorder> state{context, geometry, counts, recorder, {}};
+    SampleState<Index, NoRecorder> state{context, geometry, counts, recorder, {}, {}};
     eachLane(maskOf(filtered), [&](std::size_t lane) {
         constexpr Features kAll{.varying = true, .transparent = true};
         result.set(lane,

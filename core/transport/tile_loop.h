@@ -36,7 +36,9 @@ public:
             NoRecorder recorder;
             eachTraced(tile, [&](int x, int y) {
                 if (context.stop.stop_requested()) return;
-                result.radiance.push_back(sample<F>(context, geometry, result.counts, recorder, x, y, pass));
+                const EyeHit eyeHit{tile.hits, tile.pixel(x, y), tile.hitsKnown};
+                result.radiance.push_back(
+                    sample<F>(context, geometry, result.counts, recorder, x, y, pass, eyeHit));
             });
             result.complete = !context.stop.stop_requested();
         });
@@ -92,10 +94,11 @@ private:
 
     template <Features F, class Index, class Recorder>
     static Color sample(const TraceContext& context, const IndexedGeometry<Index>& geometry,
-                        RayCounts& counts, Recorder& recorder, int x, int y, int pass) {
+                        RayCounts& counts, Recorder& recorder, int x, int y, int pass,
+                        const EyeHit& eyeHit = {}) {
         const SampleAddress address{context.seed, static_cast<std::uint32_t>(x),
                                     static_cast<std::uint32_t>(y), static_cast<std::uint32_t>(pass)};
-        SampleState<Index, Recorder> state{context, geometry, counts, recorder, address};
+        SampleState<Index, Recorder> state{context, geometry, counts, recorder, address, eyeHit};
         const Color radiance = Method::template radiance<F>(state, eyeRayOf(state));
         counts.truncatedSamples += state.treeNodes > kMaxTreeNodes ? 1 : 0;
         return validSample(radiance, counts);

@@ -1,0 +1,49 @@
+#pragma once
+// What the eye rays of a picture's first sample hit, for the pictures after it that look at the same surfaces
+// from the same place: edits of materials, lamps and settings trace no eye ray twice.
+
+#include <array>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "core/render/render_settings.h"
+#include "core/transport/integrator.h"
+
+namespace eyeray {
+
+/// Of sample 0 alone, which goes through the middle of each pixel whatever the seed: 20 bytes a pixel.
+/// Pictures without a coarse one are not watched while they change and keep no hits; nor do those of a lens
+/// or of faults, and those whose rays are aimed.
+class EyeHits {
+public:
+    /// For a picture that is about to be traced: forgets all hits unless its eye rays are those of the
+    /// picture before, through the same accelerator.
+    void begin(const TraceContext&, const RenderSettings&, int tiles);
+
+    /// Whether the picture before has left hits.
+    bool known() const { return known_; }
+
+    /// Lets a tile of the picture's first sample find or leave its hits. Thread-safe for different tiles, as
+    /// is takeBack.
+    void lend(int index, Tile&);
+
+    /// The tile is complete.
+    void takeBack(int index, const Tile&);
+
+private:
+    // The bits of the floats that tell eye rays of one picture from those of another: 0 and −0 differ.
+    using FrameBits = std::array<std::uint32_t, sizeof(EyeRays::Frame) / sizeof(std::uint32_t)>;
+    struct Key {
+        std::shared_ptr<const Accel> accel;
+        FrameBits frame;
+        friend bool operator==(const Key&, const Key&) = default;
+    };
+
+    std::optional<Key> key_;
+    bool known_ = false;
+    std::unique_ptr<TileHits[]> hits_; // of each tile
+    std::vector<std::uint8_t> steps_;  // of each tile, added up: of which its hits are there
+};
+
+}
