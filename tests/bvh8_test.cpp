@@ -81,6 +81,11 @@ TEST(Bvh8, NeedsFarFewerNodesThanBoxes) {
     EXPECT_LT(tree.nodeCount(), 10'000 / 10);
 }
 
+TEST(Bvh8, FillsLeavesThatAreTestedAtOnce) {
+    const Bvh8 tree(randomBoxes(2, 10'000), 8, {});
+    EXPECT_LT(tree.entries().size(), 10'000 * 1.2) << "slots, some of which no box takes";
+}
+
 TEST(Bvh8, IsTheSameTreeForTheSameBoxes) {
     const auto boxes = randomBoxes(3, 2000);
     const Bvh8 a(boxes, 8, {}), b(boxes, 8, {});

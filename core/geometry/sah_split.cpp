@@ -111,24 +111,46 @@ struct Cut {
     float cost = 0;       // in areas of the whole times one entry's test
 };
 
-// Least sum of child area times child count along one axis.
-void improve(Cut& best, std::span<const Bin> bins, std::size_t axis, Floats4 scale) {
+/// What testing entries costs: half by their number, half by the number of tests that take `atOnce` of them.
+/// By number alone leaves of eight hold 6.0, 6.2 and 5.7 triangles (knot, terrain, slivers), half and half
+/// 7.3, 7.1 and 7.4, by tests alone 7.6, 7.7 and 7.6. Rays come to as many leaves as before, 1 % more and 2 %
+/// more.
+class EntryCost {
+public:
+    explicit EntryCost(int atOnce)
+        : atOnce_(static_cast<float>(atOnce)), perEntry_(1 / atOnce_),
+          roundUp_(static_cast<std::uint32_t>(atOnce) - 1) {}
+
+    float operator()(std::uint32_t count) const {
+        const auto tests = static_cast<std::uint32_t>(static_cast<float>(count + roundUp_) * perEntry_);
+        return 0.5F * (static_cast<float>(count) + static_cast<float>(tests) * atOnce_);
+    }
+
+private:
+    float atOnce_, perEntry_;
+    std::uint32_t roundUp_;
+};
+
+// Least sum of child area times the cost of its entries along one axis.
+void improve(Cut& best, std::span<const Bin> bins, std::size_t axis, Floats4 scale,
+             const EntryCost& entryCost) {
     std::array<float, kBins> right{};
     Bin sum;
     for (std::size_t i = bins.size() - 1; i > 0; --i) {
         sum.add(bins[i]);
-        right[i] = sum.count > 0 ? sum.box.halfArea(scale) * static_cast<float>(sum.count) : -1;
+        right[i] = sum.count > 0 ? sum.box.halfArea(scale) * entryCost(sum.count) : -1;
     }
     sum = Bin{};
     for (std::size_t i = 1; i < bins.size(); ++i) {
         sum.add(bins[i - 1]);
         if (sum.count == 0 || right[i] < 0) continue;
-        const float cost = sum.box.halfArea(scale) * static_cast<float>(sum.count) + right[i];
+        const float cost = sum.box.halfArea(scale) * entryCost(sum.count) + right[i];
         if (cost < best.cost || best.axis == 3) best = {axis, static_cast<int>(i), cost};
     }
 }
 
-Cut bestCut(std::span<const BoxItem> items, const Binning& binning, Floats4 scale) {
+Cut bestCut(std::span<const BoxItem> items, const Binning& binning, Floats4 scale,
+            const EntryCost& entryCost) {
     std::array<std::array<Bin, kBins>, 3> bins;
     for (const BoxItem& item : items) {
         const Loaded box(item.box());
@@ -141,7 +163,8 @@ Cut bestCut(std::span<const BoxItem> items, const Binning& binning, Floats4 scal
     }
     Cut best;
     for (std::size_t axis = 0; axis < 3; ++axis)
-        if (binning.splits(axis)) improve(best, std::span(bins[axis]).first(binning.bins()), axis, scale);
+        if (binning.splits(axis))
+            improve(best, std::span(bins[axis]).first(binning.bins()), axis, scale, entryCost);
     return best;
 }
 
@@ -198,11 +221,13 @@ std::optional<SahSplit> splitBySah(std::span<BoxItem> items, const BoxSpan& span
 
     const Floats4 scale = _mm_set1_ps(inverseOfLongest(span.boxes));
     const Binning binning(span.centers, count);
-    const Cut cut = bestCut(items, binning, scale);
+    const EntryCost entryCost(leaf.atOnce);
+    const Cut cut = bestCut(items, binning, scale, entryCost);
     if (mayBeLeaf) {
         const float area =
             Growing{_mm_load_ps(span.boxes.lo.data()), _mm_load_ps(span.boxes.hi.data())}.halfArea(scale);
-        const bool pays = cut.axis < 3 && area * kNodeCost + cut.cost < area * static_cast<float>(count);
+        const bool pays =
+            cut.axis < 3 && area * kNodeCost + cut.cost < area * entryCost(static_cast<std::uint32_t>(count));
         if (!pays) return {};
     }
     return cut.axis < 3 ? partition(items, binning, cut) : medianSplit(items, span.centers);
