@@ -4,6 +4,7 @@
 
 #include "core/base/errors.h"
 #include "core/geometry/bvh2.h"
+#include "core/geometry/collapse.h"
 
 namespace eyeray {
 namespace {
@@ -29,11 +30,12 @@ Bounds boundsOf(const Bvh8::Node& node) {
 
 }
 
-/// Makes the wide nodes of a binary tree, depth first.
-class Bvh8::Collapse {
+/// Writes the nodes and leaves that a Collapse chooses, depth first.
+class Bvh8::Writer {
 public:
-    Collapse(const Bvh2& binary, int leafSize, Bvh8& wide)
-        : binary_(binary), leafSize_(static_cast<std::size_t>(leafSize)), wide_(wide) {}
+    Writer(const Bvh2& binary, int leafSize, Bvh8& wide)
+        : binary_(binary), collapse_(binary.nodes()), leafSize_(static_cast<std::size_t>(leafSize)),
+          wide_(wide) {}
 
     void run() {
         addNode(0);
@@ -51,47 +53,18 @@ private:
         std::size_t parent, lane;
     };
 
-    const Bvh2::Node& node(std::uint32_t index) const { return binary_.nodes()[index]; }
-
-    /// Parts of the tree that become the children of a node.
-    struct Parts {
-        std::array<std::uint32_t, kWidth> root;
-        std::array<float, kWidth> area; // −1 of a leaf, which cannot be opened
-        std::size_t count = 0;
-    };
-
-    void put(Parts& parts, std::size_t lane, std::uint32_t root) const {
-        parts.root[lane] = root;
-        parts.area[lane] = node(root).count > 0 ? -1.0F : node(root).bounds().halfArea();
-        parts.count = std::max(parts.count, lane + 1);
-    }
-
-    Parts opened(std::uint32_t root) const {
-        Parts parts;
-        put(parts, 0, root);
-        while (parts.count < kWidth) {
-            const auto areas = std::span(parts.area).first(parts.count);
-            const auto largest = static_cast<std::size_t>(std::ranges::max_element(areas) - areas.begin());
-            if (areas[largest] < 0) break;
-            const std::uint32_t left = node(parts.root[largest]).first;
-            put(parts, largest, left);
-            put(parts, parts.count, left + 1);
-        }
-        return parts;
-    }
-
     void addNode(std::uint32_t root) {
         const std::size_t index = wide_.nodes_.size();
         Node& result = wide_.nodes_.emplace_back();
         for (std::size_t lane = 0; lane < kWidth; ++lane) setBox(result, lane, Bounds{});
-        const Parts parts = opened(root);
-        for (std::size_t lane = 0; lane < parts.count; ++lane) {
-            const Bvh2::Node& part = node(parts.root[lane]);
-            setBox(result, lane, part.bounds());
-            if (part.count > 0)
-                result.child[lane] = addLeaf(part);
+        const Collapse::Children children = collapse_.childrenOf(root);
+        for (std::size_t lane = 0; lane < children.count; ++lane) {
+            const Bvh2::Node& child = binary_.nodes()[children.node[lane]];
+            setBox(result, lane, child.bounds());
+            if (child.count > 0)
+                result.child[lane] = addLeaf(child);
             else
-                pending_.push_back({parts.root[lane], index, lane});
+                pending_.push_back({children.node[lane], index, lane});
         }
     }
 
@@ -104,6 +77,7 @@ private:
     }
 
     const Bvh2& binary_;
+    Collapse collapse_;
     std::size_t leafSize_;
     Bvh8& wide_;
     std::vector<Pending> pending_;
@@ -115,7 +89,7 @@ Bvh8::Bvh8(std::span<const Bounds> boxes, int leafSize, const std::stop_token& s
     if (binary.nodes().empty()) return;
     bounds_ = binary.nodes().front().bounds();
     size_ = binary.size();
-    Collapse(binary, leafSize, *this).run();
+    Writer(binary, leafSize, *this).run();
     ENSURE(entries_.size() <= kLeafBit / kMostSlots);
 }
 

@@ -14,8 +14,8 @@
 
 namespace eyeray {
 
-/// The same boxes give the same tree: that of Bvh2, with nodes opened, the largest first, until eight lie
-/// side by side.
+/// The same boxes give the same tree: that of Bvh2, with the leaves that eight at once make cheapest, and
+/// its nodes joined to wide ones by collapse.h.
 class Bvh8 {
 public:
     static constexpr std::size_t kWidth = 8;
@@ -66,7 +66,7 @@ public:
 
 private:
     static constexpr std::uint32_t kLeafBit = 0x80000000, kMostSlots = kWidth;
-    class Collapse;
+    class Writer;
 
     Bounds bounds_;
     std::size_t size_ = 0;
