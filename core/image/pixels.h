@@ -3,9 +3,9 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <vector>
 
 #include "core/base/errors.h"
+#include "core/base/large_pages.h"
 #include "core/base/math.h"
 
 namespace eyeray {
@@ -30,8 +30,8 @@ public:
 
     T& at(int x, int y) { return values_[index(x, y)]; }
     const T& at(int x, int y) const { return values_[index(x, y)]; }
-    std::vector<T>& values() { return values_; }
-    const std::vector<T>& values() const { return values_; }
+    LargeArray<T>& values() { return values_; }
+    const LargeArray<T>& values() const { return values_; }
 
     friend bool operator==(const Pixels&, const Pixels&) = default;
 
@@ -41,7 +41,7 @@ private:
     }
 
     int width_ = 0, height_ = 0;
-    std::vector<T> values_;
+    LargeArray<T> values_;
 };
 
 /// What a display takes: sRGB-coded, alpha not premultiplied.

@@ -3,6 +3,8 @@
 #include <new>
 #include <utility>
 
+#include <zlib.h>
+
 #include "core/base/errors.h"
 #include "core/image/codecs.h"
 #include "core/image/png_errors.h"
@@ -10,7 +12,9 @@
 namespace eyeray {
 namespace {
 
-// With one cheap filter, 1280x720 takes 6 ms (smooth) to 55 ms (noise); level 6 saves 6 % of a noisy file.
+// With one cheap filter, and looking for repeated bytes alone, 1280x720 takes 7 ms (smooth) to 15 ms (noise).
+// The search for strings that level 1 has instead takes 8 to 25 ms, for files of the same size; level 6 saves
+// 6 % of a noisy one.
 constexpr int kCompressionLevel = 1;
 
 class PngWriter {
@@ -54,6 +58,7 @@ private:
                      PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
         png_set_sRGB(png_, info_, PNG_sRGB_INTENT_PERCEPTUAL);
         png_set_compression_level(png_, kCompressionLevel);
+        png_set_compression_strategy(png_, Z_RLE);
         png_set_filter(png_, PNG_FILTER_TYPE_BASE, PNG_FILTER_SUB);
         png_set_text(png_, info_, texts.data(), static_cast<int>(texts.size()));
         png_write_info(png_, info_);

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <new>
+#include <utility>
 
 namespace eyeray {
 namespace {
@@ -28,10 +29,10 @@ Film::Film(int width, int height) : width_(width), height_(height), id_(nextFilm
     ENSURE(width >= 1 && height >= 1);
     try {
         const auto count = static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
-        for (auto& sum : sums_) sum = std::make_unique_for_overwrite<DVec3[]>(count);
-        for (auto& square : squares_) square = std::make_unique_for_overwrite<double[]>(count);
+        for (auto& sum : sums_) sum.resize(count);
+        for (auto& square : squares_) square.resize(count);
         limits_ = std::make_unique_for_overwrite<int[]>(count);
-        shown_ = ColorImage(width, height, Color(0));
+        shown_.resize(count);
     } catch (const std::bad_alloc&) {
         throw Failure(fmt::format("picture of {}x{}", width, height), "there is not enough memory",
                       "choose a smaller size");
@@ -45,10 +46,10 @@ void Film::reset(bool eightBit) {
     eightBit_ = eightBit;
     for (TileState& state : tiles_) {
         state.passes = 0;
+        state.blank = true;
         state.leastLimit = state.mostLimit = kNoLimit;
         ++state.version;
     }
-    std::fill(shown_.values().begin(), shown_.values().end(), Color(0));
     id_ = nextFilmId();
 }
 
@@ -58,7 +59,7 @@ int Film::passes(int tileIndex) const {
 }
 
 void Film::limit(std::span<const int> samples) {
-    ENSURE(samples.size() == shown_.values().size());
+    ENSURE(samples.size() == shown_.size());
     for (int i = 0; i < tiles(); ++i) {
         const std::scoped_lock lock(mutexOf(i));
         TileState& state = tiles_[static_cast<std::size_t>(i)];
@@ -92,14 +93,36 @@ std::vector<std::uint8_t> Film::wanted(int tileIndex, int pass) const {
 void Film::add(int tileIndex, const TileResult& result, int pass) {
     TileState& state = tiles_[static_cast<std::size_t>(tileIndex)];
     const std::scoped_lock lock(mutexOf(tileIndex));
-    state.passes = pass + 1;
+    const int before = std::exchange(state.passes, pass + 1);
+    state.blank = false;
     if (state.mostLimit < pass) return; // both sums hold all that there will be
-    if (state.leastLimit > pass)
+    if (pass == 1 && before == 1) keepFirst(state);
+    if (pass == 0)
+        showFirst(state, result);
+    else if (state.leastLimit > pass)
         addAll(state, result, pass);
     else
         addWanted(state, result, pass);
     if (eightBit_) roundMeans(state, pass);
     ++state.version;
+}
+
+void Film::showFirst(const TileState& state, const TileResult& result) {
+    const auto width = state.area.x1 - state.area.x0;
+    auto row = result.radiance.begin();
+    for (int y = state.area.y0; y < state.area.y1; ++y, row += width)
+        std::copy_n(row, width, &shown_[index(state.area.x0, y)]);
+}
+
+void Film::keepFirst(const TileState& state) {
+    for (int y = state.area.y0; y < state.area.y1; ++y)
+        for (int x = state.area.x0; x < state.area.x1; ++x) {
+            const std::size_t i = index(x, y);
+            const DVec3 sample(shown_[i]);
+            const double luma = luminance(sample);
+            sums_[0][i] = sample;
+            squares_[0][i] = luma * luma;
+        }
 }
 
 void Film::addAll(const TileState& state, const TileResult& result, int pass) {
@@ -108,11 +131,11 @@ void Film::addAll(const TileState& state, const TileResult& result, int pass) {
     for (int y = state.area.y0; y < state.area.y1; ++y)
         for (int x = state.area.x0; x < state.area.x1; ++x) {
             const std::size_t i = index(x, y);
-            const Color& sample = result.radiance[next++];
-            const double luma = luminance(DVec3(sample));
-            sums_[now][i] = pass == 0 ? DVec3(sample) : sums_[before][i] + DVec3(sample);
-            squares_[now][i] = pass == 0 ? luma * luma : squares_[before][i] + luma * luma;
-            shown_.at(x, y) = Color(sums_[now][i] / static_cast<double>(pass + 1));
+            const DVec3 sample(result.radiance[next++]);
+            const double luma = luminance(sample);
+            sums_[now][i] = sums_[before][i] + sample;
+            squares_[now][i] = squares_[before][i] + luma * luma;
+            shown_[i] = Color(sums_[now][i] / static_cast<double>(pass + 1));
         }
 }
 
@@ -130,7 +153,7 @@ void Film::addWanted(const TileState& state, const TileResult& result, int pass)
             const double luma = luminance(DVec3(sample));
             sums_[now][i] += DVec3(sample);
             squares_[now][i] += luma * luma;
-            shown_.at(x, y) = Color(sums_[now][i] / static_cast<double>(pass + 1));
+            shown_[i] = Color(sums_[now][i] / static_cast<double>(pass + 1));
         }
 }
 
@@ -138,10 +161,11 @@ void Film::roundMeans(const TileState& state, int pass) {
     const auto now = static_cast<std::size_t>(pass & 1);
     for (int y = state.area.y0; y < state.area.y1; ++y)
         for (int x = state.area.x0; x < state.area.x1; ++x) {
-            DVec3& sum = sums_[now][index(x, y)];
-            const int count = samplesOf(state, index(x, y), pass + 1);
-            sum = roundedMean(sum, count);
-            shown_.at(x, y) = Color(sum / static_cast<double>(count));
+            const std::size_t i = index(x, y);
+            const int count = samplesOf(state, i, pass + 1);
+            const DVec3 sum = roundedMean(pass == 0 ? DVec3(shown_[i]) : sums_[now][i], count);
+            if (pass > 0) sums_[now][i] = sum;
+            shown_[i] = Color(sum / static_cast<double>(count));
         }
 }
 
@@ -154,9 +178,18 @@ void Film::preview(int tileIndex, const TileResult& result) {
     for (int y = traced.y0; y < traced.y1; ++y)
         for (int x = traced.x0; x < traced.x1; ++x) {
             const int block = (y - traced.y0) / traced.step * columns + (x - traced.x0) / traced.step;
-            shown_.at(x, y) = result.radiance[static_cast<std::size_t>(block)];
+            shown_[index(x, y)] = result.radiance[static_cast<std::size_t>(block)];
         }
+    state.blank = false;
     ++state.version;
+}
+
+void Film::copyRow(const TileState& state, int y, ColorImage& to) const {
+    const int width = state.area.x1 - state.area.x0;
+    if (state.blank)
+        std::fill_n(&to.at(state.area.x0, y), width, Color(0));
+    else
+        std::copy_n(&shown_[index(state.area.x0, y)], width, &to.at(state.area.x0, y));
 }
 
 std::vector<int> Film::read(Picture& picture) const {
@@ -174,10 +207,7 @@ std::vector<int> Film::read(Picture& picture) const {
         if (version == state.version) continue;
         version = state.version;
         changed.push_back(i);
-        for (int y = state.area.y0; y < state.area.y1; ++y)
-            std::copy(&shown_.at(state.area.x0, y),
-                      &shown_.at(state.area.x0, y) + (state.area.x1 - state.area.x0),
-                      &picture.radiance.at(state.area.x0, y));
+        for (int y = state.area.y0; y < state.area.y1; ++y) copyRow(state, y, picture.radiance);
     }
     return changed;
 }
@@ -186,11 +216,11 @@ FilmPixel Film::pixel(int x, int y) const {
     const int tile = y / kTileSize * ((width_ + kTileSize - 1) / kTileSize) + x / kTileSize;
     const std::scoped_lock lock(mutexOf(tile));
     const TileState& state = tiles_[static_cast<std::size_t>(tile)];
-    return {shown_.at(x, y), samplesOf(state, index(x, y), state.passes), id_};
+    return {state.blank ? Color(0) : shown_[index(x, y)], samplesOf(state, index(x, y), state.passes), id_};
 }
 
 std::vector<int> Film::samples(int passes) const {
-    std::vector<int> samples(shown_.values().size());
+    std::vector<int> samples(shown_.size());
     for (const TileState& state : tiles_)
         for (int y = state.area.y0; y < state.area.y1; ++y)
             for (int x = state.area.x0; x < state.area.x1; ++x)
@@ -202,9 +232,17 @@ ColorImage Film::mean(int passes) const {
     ENSURE(passes >= 1);
     ColorImage result(width_, height_);
     const auto& sum = sums_[static_cast<std::size_t>((passes - 1) & 1)];
-    const std::vector<int> count = samples(passes);
-    for (std::size_t i = 0; i < result.values().size(); ++i)
-        result.values()[i] = Color(sum[i] / static_cast<double>(count[i]));
+    for (const TileState& state : tiles_)
+        for (int y = state.area.y0; y < state.area.y1; ++y) {
+            if (state.passes == passes) {
+                copyRow(state, y, result);
+                continue;
+            }
+            for (int x = state.area.x0; x < state.area.x1; ++x) {
+                const std::size_t i = index(x, y);
+                result.at(x, y) = Color(sum[i] / static_cast<double>(samplesOf(state, i, passes)));
+            }
+        }
     return result;
 }
 

@@ -9,6 +9,7 @@
 #include <span>
 #include <vector>
 
+#include "core/base/large_pages.h"
 #include "core/image/pixels.h"
 #include "core/render/display.h"
 #include "core/transport/integrator.h"
@@ -96,6 +97,7 @@ private:
     struct TileState {
         Tile area;
         int passes = 0;
+        bool blank = true; // nothing has been shown in it
         std::uint32_t version = 0;
         int leastLimit = kNoLimit, mostLimit = kNoLimit; // of its pixels
     };
@@ -107,8 +109,11 @@ private:
     int samplesOf(const TileState& tile, std::size_t pixel, int passes) const {
         return tile.leastLimit >= passes ? passes : std::min(limits_[pixel], passes);
     }
+    void showFirst(const TileState&, const TileResult&);
+    void keepFirst(const TileState&);
     void addAll(const TileState&, const TileResult&, int pass);
     void addWanted(const TileState&, const TileResult&, int pass);
+    void copyRow(const TileState&, int y, ColorImage& to) const;
     void roundMeans(const TileState&, int pass);
     std::size_t index(int x, int y) const {
         return static_cast<std::size_t>(y) * static_cast<std::size_t>(width_) + static_cast<std::size_t>(x);
@@ -121,12 +126,12 @@ private:
     int width_, height_;
     std::uint64_t id_;
     bool eightBit_ = false;
-    // Not initialised: the first pass writes before anything reads, and a page that is not needed is not
-    // touched.
-    std::array<std::unique_ptr<DVec3[]>, 2> sums_;
-    std::array<std::unique_ptr<double[]>, 2> squares_; // of luminance, likewise
-    std::unique_ptr<int[]> limits_;                    // of samples; read where a tile has any
-    ColorImage shown_;
+    // Not initialised: a page that nothing has written is not touched. The sums of the first pass lie in
+    // `shown_` until the second, so that a picture of one sample needs no more memory than it shows.
+    std::array<LargeArray<DVec3>, 2> sums_;
+    std::array<LargeArray<double>, 2> squares_; // of luminance, likewise
+    std::unique_ptr<int[]> limits_;             // of samples; read where a tile has any
+    LargeArray<Color> shown_;                   // mean of each tile's passes, or its preview
     std::vector<TileState> tiles_;
     mutable std::array<std::mutex, kMutexes> mutexes_;
 };
