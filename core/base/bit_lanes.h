@@ -13,7 +13,7 @@
 HWY_BEFORE_NAMESPACE();
 namespace eyeray::HWY_NAMESPACE {
 
-using BitTag = hn::Rebind<std::uint32_t, DoubleTag>;
+using BitTag = hn::Rebind<std::uint32_t, FloatTag>;
 
 struct BitLanes {
     hn::Vec<BitTag> v;

@@ -18,35 +18,23 @@ namespace eyeray::HWY_NAMESPACE {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
-// As many lanes as a register holds doubles.
-using DoubleTag = hn::ScalableTag<double>;
-using FloatTag = hn::Rebind<float, DoubleTag>;
-using IntTag = hn::Rebind<std::int32_t, DoubleTag>;
+using FloatTag = hn::ScalableTag<float>;
+using IntTag = hn::Rebind<std::int32_t, FloatTag>;
 using FloatLanes = hn::Vec<FloatTag>;
-using DoubleLanes = hn::Vec<DoubleTag>;
 using IntLanes = hn::Vec<IntTag>;
 using FloatMask = hn::Mask<FloatTag>;
-using DoubleMask = hn::Mask<DoubleTag>;
-inline constexpr std::size_t kLanes = hn::MaxLanes(DoubleTag());
+inline constexpr std::size_t kLanes = hn::MaxLanes(FloatTag());
 
 HWY_INLINE FloatLanes all(float value) { return hn::Set(FloatTag(), value); }
-HWY_INLINE DoubleLanes all(double value) { return hn::Set(DoubleTag(), value); }
-HWY_INLINE DoubleLanes widen(FloatLanes v) { return hn::PromoteTo(DoubleTag(), v); }
-HWY_INLINE FloatLanes narrow(DoubleLanes v) {
-#if HWY_TARGET == HWY_SCALAR
-    return FloatLanes(static_cast<float>(v.raw)); // DemoteTo would make infinity the largest number here
-#else
-    return hn::DemoteTo(FloatTag(), v);
-#endif
-}
+
 /// One bit for each lane.
 HWY_INLINE std::uint32_t bitsOf(FloatMask mask) {
     std::uint8_t bits[8] = {};
     hn::StoreMaskBits(FloatTag(), mask, bits);
-    return bits[0];
+    return bits[0] | static_cast<std::uint32_t>(bits[1]) << 8U;
 }
 HWY_INLINE FloatMask maskOf(std::uint32_t bits) {
-    const std::uint8_t bytes[8] = {static_cast<std::uint8_t>(bits)};
+    const std::uint8_t bytes[8] = {static_cast<std::uint8_t>(bits), static_cast<std::uint8_t>(bits >> 8U)};
     return hn::LoadMaskBits(FloatTag(), bytes);
 }
 
@@ -56,7 +44,6 @@ struct Three {
     T x, y, z;
 };
 using Vec3Lanes = Three<FloatLanes>;
-using DVec3Lanes = Three<DoubleLanes>;
 
 template <class T>
 HWY_INLINE Three<T> operator+(const Three<T>& a, const Three<T>& b) {
@@ -110,9 +97,6 @@ HWY_INLINE FloatMask notBlack(const Vec3Lanes& c) {
 HWY_INLINE FloatLanes maxComponent(const Vec3Lanes& c) { return hn::Max(c.x, hn::Max(c.y, c.z)); }
 
 HWY_INLINE Vec3Lanes all(const Vec3& v) { return {all(v.x), all(v.y), all(v.z)}; }
-HWY_INLINE DVec3Lanes all(const DVec3& v) { return {all(v.x), all(v.y), all(v.z)}; }
-HWY_INLINE DVec3Lanes widen(const Vec3Lanes& v) { return {widen(v.x), widen(v.y), widen(v.z)}; }
-HWY_INLINE Vec3Lanes narrow(const DVec3Lanes& v) { return {narrow(v.x), narrow(v.y), narrow(v.z)}; }
 
 /// What lanes hold, for code that takes one lane after the other.
 struct alignas(64) Spread {

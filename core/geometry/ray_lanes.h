@@ -7,7 +7,7 @@
 #define EYERAY_RAY_LANES_H
 #endif
 
-#include "core/base/lanes.h"
+#include "core/base/double_lanes.h"
 #include "core/geometry/placement.h"
 #include "core/geometry/ray.h"
 #include "core/geometry/shapes.h"
@@ -107,7 +107,7 @@ HWY_INLINE RayLanes toObject(const Placement& placement, const RayLanes& ray) {
 HWY_INLINE Vec3Lanes normalToWorld(const Placement& placement, const Vec3Lanes& normal) {
     if (placement.mirrors() != Vec3(0)) return all(placement.mirrors()) * normal;
     const DVec3Lanes mapped = widen(times(placement.normals(), normal));
-    return narrow(mapped / hn::Sqrt(dot(mapped, mapped)));
+    return narrow(mapped / sqrt(dot(mapped, mapped)));
 }
 
 /// `point` has one normal for both uses, and no lift.
@@ -135,8 +135,8 @@ HWY_INLINE SurfaceLanes toWorld(const Placement& placement, const SurfaceLanes& 
 HWY_INLINE ShapeHitLanes firstEnd(DoubleLanes in, DoubleLanes out, IntLanes inFace, IntLanes outFace,
                                   DoubleMask valid, const RayLanes& ray) {
     const auto never = all(std::numeric_limits<double>::infinity());
-    const auto there = hn::And(valid, in <= out);
-    const auto first = hn::IfThenElse(there, in, never), second = hn::IfThenElse(there, out, never);
+    const auto there = both(valid, in <= out);
+    const auto first = select(there, in, never), second = select(there, out, never);
     const auto t0 = narrow(first), t1 = narrow(second);
     const auto within = [&](FloatLanes t) HWY_ATTR { return hn::And(t > ray.tMin, t < ray.tMax); };
     const auto atFirst = within(t0);
@@ -145,24 +145,25 @@ HWY_INLINE ShapeHitLanes firstEnd(DoubleLanes in, DoubleLanes out, IntLanes inFa
     return {t, u, hn::IfThenElse(hn::RebindMask(IntTag(), atFirst), inFace, outFace)};
 }
 
+/// A line that meets the sphere behind the ray alone, which most rays that leave it do, needs no roots.
 HWY_INLINE ShapeHitLanes intersect(const Sphere& sphere, const RayLanes& ray) {
     const double radius = sphere.radius;
-    const auto zero = hn::Zero(DoubleTag());
+    const auto zero = all(0.0);
     const DVec3Lanes o = widen(ray.origin), d = widen(ray.direction);
-    const auto a = dot(d, d), b = dot(o, d);
+    const auto a = dot(d, d), b = dot(o, d), c = dot(o, o) - all(radius * radius);
     const DVec3Lanes aside = cross(o, d);
     const auto discriminant = a * all(radius * radius) - dot(aside, aside);
-    const auto met = hn::And(discriminant >= zero, all(radius) > zero);
+    const auto met = both(discriminant >= zero, all(radius) > zero);
     const auto face = hn::Zero(IntTag());
-    if (hn::AllFalse(DoubleTag(), met)) return {all(kInfinity), hn::Zero(FloatTag()), face};
-    const auto q = hn::Neg(b + hn::CopySign(hn::Sqrt(discriminant), b));
-    const auto r = q / a, s = (dot(o, o) - all(radius * radius)) / q;
+    if (none(butNot(both(b >= zero, c >= zero), met))) return {all(kInfinity), hn::Zero(FloatTag()), face};
+    const auto q = -(b + copySign(sqrt(discriminant), b));
+    const auto r = q / a, s = c / q;
     const auto ascending = r < s;
-    return firstEnd(hn::IfThenElse(ascending, r, s), hn::IfThenElse(ascending, s, r), face, face, met, ray);
+    return firstEnd(select(ascending, r, s), select(ascending, s, r), face, face, met, ray);
 }
 
 HWY_INLINE DoubleLanes meetsPlane(const RayLanes& ray) {
-    return hn::Neg(widen(ray.origin.y)) / widen(ray.direction.y);
+    return -widen(ray.origin.y) / widen(ray.direction.y);
 }
 
 HWY_INLINE ShapeHitLanes intersect(const Plane& plane, const RayLanes& ray) {
@@ -172,45 +173,43 @@ HWY_INLINE ShapeHitLanes intersect(const Plane& plane, const RayLanes& ray) {
     if (!plane.doubleSided && hn::AllFalse(FloatTag(), descends)) return {none, zero, face};
     const auto t = meetsPlane(ray);
     const auto twice = [&](FloatLanes origin, FloatLanes direction)
-                           HWY_ATTR { return hn::Abs(widen(origin) + t * widen(direction)) * all(2.0); };
+                           HWY_ATTR { return abs(widen(origin) + t * widen(direction)) * all(2.0); };
     const auto x = twice(ray.origin.x, ray.direction.x), z = twice(ray.origin.z, ray.direction.z);
     const auto sizeX = all(static_cast<double>(plane.sizeX)), sizeZ = all(static_cast<double>(plane.sizeZ));
-    auto inside = hn::And(x <= sizeX, z <= sizeZ);
+    auto inside = both(x <= sizeX, z <= sizeZ);
     if (plane.round) {
         const auto a = x / sizeX, b = z / sizeZ;
         inside = a * a + b * b <= all(1.0);
     }
-    const auto rounded = narrow(hn::IfThenElse(inside, t, all(std::numeric_limits<double>::infinity())));
+    const auto rounded = narrow(select(inside, t, all(std::numeric_limits<double>::infinity())));
     auto met = hn::And(rounded > ray.tMin, rounded < ray.tMax);
     if (!plane.doubleSided) met = hn::And(met, descends);
     return {hn::IfThenElse(met, rounded, none), zero, face};
 }
 
 HWY_INLINE ShapeHitLanes intersect(const Box& box, const RayLanes& ray) {
-    const DoubleTag d;
-    const auto zero = hn::Zero(d);
-    auto in = all(-std::numeric_limits<double>::infinity()), out = hn::Neg(in);
+    const auto zero = all(0.0);
+    auto in = all(-std::numeric_limits<double>::infinity()), out = -in;
     auto inFace = zero, outFace = zero;
     auto met = in < out;
     const auto cut = [&](FloatLanes origin, FloatLanes direction, double half, double lowerFace) HWY_ATTR {
         const auto o = widen(origin), along = widen(direction);
         const auto lower = (all(-half) - o) / along, upper = (all(half) - o) / along;
         const auto positive = along > zero, still = along == zero;
-        const auto begin = hn::IfThenElse(positive, lower, upper),
-                   end = hn::IfThenElse(positive, upper, lower);
-        const auto between = hn::And(still, hn::Abs(o) <= all(half));
-        met = hn::And(met, hn::Or(between, hn::AndNot(still, begin <= end)));
-        const auto later = hn::AndNot(still, begin > in), sooner = hn::AndNot(still, end < out);
-        in = hn::IfThenElse(later, begin, in), out = hn::IfThenElse(sooner, end, out);
+        const auto begin = select(positive, lower, upper), end = select(positive, upper, lower);
+        const auto between = both(still, abs(o) <= all(half));
+        met = both(met, either(between, butNot(still, begin <= end)));
+        const auto later = butNot(still, begin > in), sooner = butNot(still, end < out);
+        in = select(later, begin, in), out = select(sooner, end, out);
         const auto below = all(lowerFace), above = all(lowerFace + 1);
-        inFace = hn::IfThenElse(later, hn::IfThenElse(positive, below, above), inFace);
-        outFace = hn::IfThenElse(sooner, hn::IfThenElse(positive, above, below), outFace);
+        inFace = select(later, select(positive, below, above), inFace);
+        outFace = select(sooner, select(positive, above, below), outFace);
     };
     cut(ray.origin.x, ray.direction.x, 0.5 * box.size.x, 0);
     cut(ray.origin.y, ray.direction.y, 0.5 * box.size.y, 2);
     cut(ray.origin.z, ray.direction.z, 0.5 * box.size.z, 4);
-    if (hn::AllFalse(d, met)) return {all(kInfinity), hn::Zero(FloatTag()), hn::Zero(IntTag())};
-    return firstEnd(in, out, hn::DemoteTo(IntTag(), inFace), hn::DemoteTo(IntTag(), outFace), met, ray);
+    if (none(met)) return {all(kInfinity), hn::Zero(FloatTag()), hn::Zero(IntTag())};
+    return firstEnd(in, out, toInts(inFace), toInts(outFace), met, ray);
 }
 
 /// Ray by ray: quadrics with caps have too many cases to be taken at once.
@@ -239,14 +238,14 @@ HWY_INLINE DVec3Lanes pointAtHit(const RayLanes& ray, const ShapeHitLanes& hit) 
 HWY_INLINE SurfaceLanes surfaceAt(const Sphere& sphere, const RayLanes& ray, const ShapeHitLanes& hit) {
     const DVec3Lanes p = pointAtHit(ray, hit);
     const auto square = dot(p, p);
-    const auto zero = hn::Zero(DoubleTag());
-    const DVec3Lanes normal = p * hn::IfThenElse(square > zero, all(1.0) / hn::Sqrt(square), zero);
+    const auto zero = all(0.0);
+    const DVec3Lanes normal = p * select(square > zero, all(1.0) / sqrt(square), zero);
     return surfaceAt(normal * all(static_cast<double>(sphere.radius)), narrow(normal));
 }
 
 HWY_INLINE SurfaceLanes surfaceAt(const Plane&, const RayLanes& ray, const ShapeHitLanes&) {
     const auto t = meetsPlane(ray);
-    const DVec3Lanes p{widen(ray.origin.x) + t * widen(ray.direction.x), hn::Zero(DoubleTag()),
+    const DVec3Lanes p{widen(ray.origin.x) + t * widen(ray.direction.x), all(0.0),
                        widen(ray.origin.z) + t * widen(ray.direction.z)};
     return surfaceAt(p, all(Vec3(0, 1, 0)));
 }
@@ -262,9 +261,9 @@ HWY_INLINE SurfaceLanes surfaceAt(const Box& box, const RayLanes& ray, const Sha
     const auto settle = [&](DoubleLanes& position, FloatLanes& component, double half,
                             int twiceAxis) HWY_ATTR {
         component = hn::IfThenElseZero(hn::RebindMask(f, axis == hn::Set(n, twiceAxis)), side);
-        const auto clamped = hn::Min(hn::Max(position, all(-half)), all(half));
+        const auto clamped = min(max(position, all(-half)), all(half));
         const auto wide = widen(component);
-        position = hn::IfThenElse(wide == hn::Zero(DoubleTag()), clamped, wide * all(half));
+        position = select(wide == all(0.0), clamped, wide * all(half));
     };
     settle(p.x, normal.x, 0.5 * box.size.x, 0);
     settle(p.y, normal.y, 0.5 * box.size.y, 2);

@@ -165,14 +165,14 @@ inline Vec3Lanes localModel(const ShadingLanes& p, const MaterialLanes& m, const
 
 HWY_INLINE DoubleLanes sineSquared(DoubleLanes cosine, DoubleLanes eta) {
     const auto one = all(1.0);
-    return eta * eta * hn::Max(hn::Zero(DoubleTag()), (one - cosine) * (one + cosine));
+    return eta * eta * max(all(0.0), (one - cosine) * (one + cosine));
 }
 
 /// Not a number on total internal reflection.
 HWY_INLINE Vec3Lanes refracted(const Vec3Lanes& wo, const Vec3Lanes& normal, FloatLanes eta) {
     const auto cosine = widen(dot(normal, wo)), wide = widen(eta);
     const auto sine2 = sineSquared(cosine, wide);
-    const auto inner = hn::Sqrt(hn::IfThenElse(sine2 < all(1.0), all(1.0) - sine2, all(-1.0)));
+    const auto inner = sqrt(select(sine2 < all(1.0), all(1.0) - sine2, all(-1.0)));
     return normalize(wo * hn::Neg(eta) + normal * narrow(wide * cosine - inner));
 }
 
@@ -180,11 +180,11 @@ HWY_INLINE FloatLanes fresnelDielectric(FloatLanes cosine, FloatLanes eta) {
     const auto one = all(1.0);
     const auto c = widen(hn::Min(hn::Max(cosine, all(0.0F)), all(1.0F))), e = widen(eta);
     const auto sine2 = sineSquared(c, e);
-    const auto inner = hn::Sqrt(one - sine2);
+    const auto inner = sqrt(one - sine2);
     const auto perpendicular = (e * c - inner) / (e * c + inner);
     const auto parallel = (c - e * inner) / (c + e * inner);
     const auto share = all(0.5) * (perpendicular * perpendicular + parallel * parallel);
-    return narrow(hn::IfThenElse(sine2 >= one, one, share));
+    return narrow(select(sine2 >= one, one, share));
 }
 
 HWY_INLINE Vec3Lanes mirrorShare(const MaterialLanes& m, FloatLanes cosine) {
