@@ -51,6 +51,18 @@ void expectEqual(const std::vector<Color>& a, const std::vector<Color>& b) {
     for (std::size_t i = 0; i < a.size(); ++i) ASSERT_TRUE(a[i] == b[i]) << "sample " << i;
 }
 
+/// Memory for the hits of a tile.
+struct Kept {
+    static constexpr std::size_t kSamples = 1024;
+    std::vector<float> t, u, v;
+    std::vector<std::uint32_t> primitive, instance;
+
+    Kept() : t(kSamples), u(kSamples), v(kSamples), primitive(kSamples), instance(kSamples) {}
+    TileHits hits(bool known) {
+        return {t.data(), u.data(), v.data(), primitive.data(), instance.data(), known};
+    }
+};
+
 TileResult rendered(const Tracing& tracing, const Tile& tile) {
     const FloatEnvironment environment;
     return tracing.integrator().renderTile(tracing.context(), tile, 0);
@@ -65,11 +77,11 @@ TEST(EyeHits, ThatAnyMethodLeavesGiveAnyOtherTheSameBits) {
                     for (const int step : {1, 4}) {
                         const Tracing first(world, by(leaves), 40, 30), next(world, by(finds), 40, 30);
                         Tile tile{8, 8, 40, 30, step};
-                        const auto hits = std::make_unique<TileHits>();
+                        Kept kept;
                         const TileResult traced = rendered(next, tile);
-                        tile.hits = hits.get();
+                        tile.hits = kept.hits(false);
                         rendered(first, tile);
-                        tile.hitsKnown = true;
+                        tile.hits = kept.hits(true);
                         const TileResult known = rendered(next, tile);
                         expectEqual(known.radiance, traced.radiance);
                         EXPECT_EQ(known.counts.rays, traced.counts.rays) << "the picture's rays count";
@@ -83,9 +95,9 @@ TEST(EyeHits, AreTakenInThePlaceOfTracing) {
     add(scene, Sphere{1}, matte(Color(0)), at({0, 0, -2}));
     for (const Method method : kMethods) {
         const Tracing tracing(scene, by(method), 32, 32);
-        const auto hits = std::make_unique<TileHits>();
-        for (std::size_t i = 0; i < TileHits::kPixels; ++i) hits->set(i, std::nullopt);
-        for (const Color& c : rendered(tracing, {0, 0, 32, 32, 1, {}, hits.get(), true}).radiance)
+        Kept kept;
+        std::ranges::fill(kept.instance, TileHits::kMissed);
+        for (const Color& c : rendered(tracing, {0, 0, 32, 32, 1, {}, kept.hits(true)}).radiance)
             ASSERT_EQ(c, Color(0.25F, 0.5F, 1)) << "nothing but the sky is said to be there";
     }
 }

@@ -12,9 +12,9 @@
 
 namespace eyeray {
 
-/// Of sample 0 alone, which goes through the middle of each pixel whatever the seed: 20 bytes a pixel.
-/// Pictures without a coarse one are not watched while they change and keep no hits; nor do those of a lens
-/// or of faults, and those whose rays are aimed.
+/// Of sample 0 alone, which goes through the middle of each pixel whatever the seed, and of coarse pictures,
+/// each step by itself: 22 bytes a pixel. Pictures without a coarse one are not watched while they change and
+/// keep no hits; nor do those of a lens or of faults, and those whose rays are aimed.
 class EyeHits {
 public:
     /// For a picture that is about to be traced: forgets all hits unless its eye rays are those of the
@@ -32,6 +32,8 @@ public:
     void takeBack(int index, const Tile&);
 
 private:
+    void allocate(std::size_t tiles);
+
     // The bits of the floats that tell eye rays of one picture from those of another: 0 and −0 differ.
     using FrameBits = std::array<std::uint32_t, sizeof(EyeRays::Frame) / sizeof(std::uint32_t)>;
     struct Key {
@@ -42,8 +44,10 @@ private:
 
     std::optional<Key> key_;
     bool known_ = false;
-    std::unique_ptr<TileHits[]> hits_; // of each tile
-    std::vector<std::uint8_t> steps_;  // of each tile, added up: of which its hits are there
+    // By step, then tile, then sample. Not initialised: what no step needs is not touched.
+    std::unique_ptr<float[]> t_, u_, v_;
+    std::unique_ptr<std::uint32_t[]> primitive_, instance_;
+    std::vector<std::uint8_t> steps_; // of each tile, added up: those of which its hits are there
 };
 
 }

@@ -326,7 +326,7 @@ bool RenderSession::tracePass(Job& job, int pass) {
             job.film->add(index, result, pass);
             const std::scoped_lock lock(mutex_);
             job.status.counts += result.counts;
-            if (tile.hitsKnown) job.status.knownHits += result.radiance.size();
+            if (tile.hits.known) job.status.knownHits += result.radiance.size();
         }
         ++job.tilesDone;
     });

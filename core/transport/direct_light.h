@@ -37,11 +37,10 @@ struct TreeRay {
     float eta = 1, cosine = 0; // as in RayRecord
 };
 
-/// Where the hit of a sample's eye ray is kept, if anywhere, and whether it is there already.
+/// Which of a tile's hits is that of a sample's eye ray, if they are kept.
 struct EyeHit {
-    TileHits* hits = nullptr;
-    std::size_t pixel = 0;
-    bool known = false;
+    TileHits hits;
+    std::size_t sample = 0;
 };
 
 /// What one sample of one pixel carries along.
@@ -67,11 +66,11 @@ struct SampleState {
 /// The closest hit of a ray of the tree.
 template <class Index, class Recorder>
 std::optional<Hit> hitOf(const SampleState<Index, Recorder>& state, const TreeRay& ray) {
-    const EyeHit& kept = state.eyeHit;
-    const bool keeps = kept.hits != nullptr && ray.kind == RayKind::Eye;
-    if (keeps && kept.known) return kept.hits->at(kept.pixel);
+    const auto& [hits, sample] = state.eyeHit;
+    const bool keeps = hits.kept() && ray.kind == RayKind::Eye;
+    if (keeps && hits.known) return hits.at(sample);
     const auto hit = closestHit(state.geometry, ray.ray);
-    if (keeps) kept.hits->set(kept.pixel, hit);
+    if (keeps) hits.set(sample, hit);
     return hit;
 }
 

@@ -23,13 +23,7 @@ struct Tile {
     // Of each pixel, row by row: 0 leaves it out; empty: none is. Only with step 1.
     // NOLINTNEXTLINE(readability-redundant-member-init): GCC warns of members left out without
     std::span<const std::uint8_t> wanted = {};
-    TileHits* hits = nullptr; // where the hits of its eye rays are kept, if not null
-    bool hitsKnown = false;   // they are there already: no eye ray is traced
-
-    std::size_t pixel(int x, int y) const { // its number, row by row
-        return static_cast<std::size_t>(y - y0) * static_cast<std::size_t>(x1 - x0) +
-               static_cast<std::size_t>(x - x0);
-    }
+    TileHits hits = {}; // NOLINT(readability-redundant-member-init): as above
 };
 
 /// Calls `each(x, y)` for the pixels of a tile that are traced, row by row.

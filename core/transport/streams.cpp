@@ -63,45 +63,26 @@ private:
         std::iota(eye_.sample.begin(), eye_.sample.begin() + static_cast<std::ptrdiff_t>(eye_.size), 0U);
     }
 
-    /// Calls each(of the stream, of the tile) for the columns that hits are in.
+    /// Calls each(of the stream, of the tile) for the columns that hits are in, from the next sample on.
     template <class Each>
-    void eachHitColumn(TileHits& kept, const Each& each) {
-        each(eye_.t, kept.t), each(eye_.u, kept.u), each(eye_.v, kept.v);
-        each(eye_.primitive, kept.primitive), each(eye_.instance, kept.instance);
-    }
-
-    std::size_t pixel(std::size_t i) const {
-        return result_.tile.pixel(static_cast<int>(memory_.x[i]), static_cast<int>(memory_.y[i]));
-    }
-
-    /// Takes the hits of the eye rays from where the picture before left them.
-    void recallHits() {
-        eachHitColumn(*result_.tile.hits, [&](auto& column, const auto& kept) {
-            if (result_.tile.step == 1)
-                std::copy_n(&kept[pixel(0)], eye_.size, column.begin());
-            else
-                for (std::size_t i = 0; i < eye_.size; ++i) column[i] = kept[pixel(i)];
-        });
-    }
-
-    /// Leaves them there for the next.
-    void keepHits() {
-        eachHitColumn(*result_.tile.hits, [&](const auto& column, auto& kept) {
-            if (result_.tile.step == 1)
-                std::copy_n(column.begin(), eye_.size, &kept[pixel(0)]);
-            else
-                for (std::size_t i = 0; i < eye_.size; ++i) kept[pixel(i)] = column[i];
-        });
+    void eachHitColumn(const Each& each) {
+        const TileHits& kept = result_.tile.hits;
+        const std::size_t next = result_.radiance.size();
+        each(eye_.t.data(), kept.t + next), each(eye_.u.data(), kept.u + next);
+        each(eye_.v.data(), kept.v + next), each(eye_.primitive.data(), kept.primitive + next);
+        each(eye_.instance.data(), kept.instance + next);
     }
 
     void trace() {
         makeEyeRays();
         memory_.treeNodes.assign(eye_.size, 0);
         result_.counts[RayKind::Eye] += eye_.size;
-        eye_.hitsKnown = result_.tile.hitsKnown;
-        if (eye_.hitsKnown) recallHits();
+        eye_.hitsKnown = result_.tile.hits.known;
+        if (eye_.hitsKnown)
+            eachHitColumn([&](auto* ours, const auto* kept) { std::copy_n(kept, eye_.size, ours); });
         tracer_.trace(0);
-        if (result_.tile.hits != nullptr && !eye_.hitsKnown) keepHits();
+        if (result_.tile.hits.kept() && !eye_.hitsKnown)
+            eachHitColumn([&](const auto* ours, auto* kept) { std::copy_n(ours, eye_.size, kept); });
         const std::size_t before = result_.radiance.size();
         result_.radiance.resize(before + eye_.size);
         for (std::size_t i = 0; i < eye_.size; ++i)

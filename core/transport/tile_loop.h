@@ -36,7 +36,7 @@ public:
             NoRecorder recorder;
             eachTraced(tile, [&](int x, int y) {
                 if (context.stop.stop_requested()) return;
-                const EyeHit eyeHit{tile.hits, tile.pixel(x, y), tile.hitsKnown};
+                const EyeHit eyeHit{tile.hits, result.radiance.size()};
                 result.radiance.push_back(
                     sample<F>(context, geometry, result.counts, recorder, x, y, pass, eyeHit));
             });
