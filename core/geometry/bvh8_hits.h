@@ -17,14 +17,14 @@ namespace eyeray::HWY_NAMESPACE {
 // Calls offer(hit) for the hits of a leaf's triangles at t in (tMin, limit) until it returns true; whether it
 // did.
 template <class Offer>
-bool visitTriangles(const IndexedMesh<Bvh8>& mesh, std::uint32_t first, std::uint32_t count,
-                    const RayShear& shear, float tMin, const float& limit, const Offer& offer) {
+HWY_INLINE bool visitTriangles(const IndexedMesh<Bvh8>& mesh, std::uint32_t first, std::uint32_t count,
+                               const RayShear& shear, float tMin, const float& limit, const Offer& offer) {
     const TriangleBlock& block = mesh.triangles.block(first);
     const bool doubleSided = mesh.mesh->doubleSided;
     std::uint32_t lanes = mayMeet(block, doubleSided, shear, limit) & ((1U << count) - 1U);
     for (; lanes != 0; lanes &= lanes - 1) {
         const auto lane = static_cast<std::uint32_t>(std::countr_zero(lanes));
-        const TriangleCorners corners = block.triangle(lane);
+        const TriangleCorners corners = block.turned(lane, shear);
         auto hit = detail::finishTriangle(corners, {shear(corners[0]), shear(corners[1]), shear(corners[2])},
                                           doubleSided, shear, tMin, limit);
         if (!hit) continue;

@@ -76,20 +76,21 @@ inline std::uint32_t mayMeet(const TriangleBlock& block, bool doubleSided, const
                              float limit) {
     const Floats d;
     std::uint32_t kept = 0;
-    const float along = shear.direction[shear.kz];
+    const float along = shear.direction[2];
     const float farthest = limit * std::fabs(along) * kBeyond;
     for (std::size_t lane = 0; lane < Bvh8::kWidth; lane += hn::Lanes(d)) {
-        const auto relative = [&](std::size_t corner, std::size_t k) {
-            return hn::Sub(hn::Load(d, &block.corners[corner][k][lane]), hn::Set(d, shear.origin[k]));
+        const auto relative = [&](std::size_t corner, std::size_t turned) {
+            const auto& axis = block.corners[corner][shear.axes[turned]];
+            return hn::Sub(hn::Load(d, &axis[lane]), hn::Set(d, shear.origin[turned]));
         };
-        const auto az = relative(0, shear.kz), bz = relative(1, shear.kz), cz = relative(2, shear.kz);
+        const auto az = relative(0, 2), bz = relative(1, 2), cz = relative(2, 2);
         const auto sx = hn::Set(d, shear.sx), sy = hn::Set(d, shear.sy);
-        const auto ax = hn::Sub(relative(0, shear.kx), hn::Mul(sx, az));
-        const auto bx = hn::Sub(relative(1, shear.kx), hn::Mul(sx, bz));
-        const auto cx = hn::Sub(relative(2, shear.kx), hn::Mul(sx, cz));
-        const auto ay = hn::Sub(relative(0, shear.ky), hn::Mul(sy, az));
-        const auto by = hn::Sub(relative(1, shear.ky), hn::Mul(sy, bz));
-        const auto cy = hn::Sub(relative(2, shear.ky), hn::Mul(sy, cz));
+        const auto ax = hn::Sub(relative(0, 0), hn::Mul(sx, az));
+        const auto bx = hn::Sub(relative(1, 0), hn::Mul(sx, bz));
+        const auto cx = hn::Sub(relative(2, 0), hn::Mul(sx, cz));
+        const auto ay = hn::Sub(relative(0, 1), hn::Mul(sy, az));
+        const auto by = hn::Sub(relative(1, 1), hn::Mul(sy, bz));
+        const auto cy = hn::Sub(relative(2, 1), hn::Mul(sy, cz));
         const auto u = hn::Sub(hn::Mul(cx, by), hn::Mul(cy, bx));
         const auto v = hn::Sub(hn::Mul(ax, cy), hn::Mul(ay, cx));
         const auto w = hn::Sub(hn::Mul(bx, ay), hn::Mul(by, ax));
@@ -154,13 +155,14 @@ bool traverse(const Bvh8& tree, const Ray& ray, const float& limit, const Leaf& 
                 return PendingChild(enters[lane], node.child[lane]);
             };
             if (met != 0) {
-                const PendingChild first = lowest(met);
+                const auto first = static_cast<std::size_t>(std::countr_zero(met));
+                child = node.child[first];
                 met &= met - 1;
+                if (met == 0) continue; // mostly; where it is entered has not to be waited for
                 if constexpr (kOrder == Order::Any) {
                     for (; met != 0; met &= met - 1) stack[pending++] = lowest(met);
-                    child = first.child();
                 } else {
-                    PendingChild next = first;
+                    PendingChild next(enters[first], child);
                     for (const std::size_t bottom = pending; met != 0; met &= met - 1) {
                         const PendingChild other = lowest(met), farther = std::max(next, other);
                         next = std::min(next, other);

@@ -5,6 +5,7 @@
 
 #include "core/geometry/bvh8.h"
 #include "core/geometry/mesh.h"
+#include "core/geometry/triangle.h"
 
 namespace eyeray {
 
@@ -28,11 +29,12 @@ private:
 struct alignas(32) TriangleBlock {
     std::array<std::array<std::array<float, Bvh8::kWidth>, 3>, 3> corners;
 
-    TriangleCorners triangle(std::size_t lane) const {
-        TriangleCorners result;
-        for (std::size_t corner = 0; corner < 3; ++corner)
-            for (std::size_t axis = 0; axis < 3; ++axis) result[corner][axis] = corners[corner][axis][lane];
-        return result;
+    /// The corners of one, along the axes of the shear.
+    TriangleCorners turned(std::size_t lane, const RayShear& shear) const {
+        const auto corner = [&](const auto& at) -> std::array<float, 3> {
+            return {at[shear.axes[0]][lane], at[shear.axes[1]][lane], at[shear.axes[2]][lane]};
+        };
+        return {corner(corners[0]), corner(corners[1]), corner(corners[2])};
     }
 };
 

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
 
 #include "core/base/math.h"
@@ -21,10 +22,10 @@ public:
         const float growth = kGrowth * reach(ray.origin, world);
         for (int axis = 0; axis < 3; ++axis) {
             const auto i = static_cast<std::size_t>(axis);
-            inverse_[i] = std::clamp(1.0F / ray.direction[axis], -kLargest, kLargest);
-            inverseFar_[i] = std::clamp(inverse_[i] * kLater, -kLargest, kLargest);
-            near_[i] = std::signbit(ray.direction[axis]) ? 1U : 0U;
-            const float outward = near_[i] == 1U ? -growth : growth;
+            inverse_[i] = finite(1.0F / ray.direction[axis]);
+            inverseFar_[i] = finite(inverse_[i] * kLater);
+            near_[i] = std::bit_cast<std::uint32_t>(ray.direction[axis]) >> 31U;
+            const float outward = std::copysign(growth, ray.direction[axis]);
             originNear_[i] = ray.origin[axis] + outward;
             originFar_[i] = ray.origin[axis] - outward;
         }
@@ -60,6 +61,9 @@ public:
     static constexpr float kGrowth = 16 * 0x1p-24F;
 
 private:
+    // Without branches, as all that is done for each ray: the signs of directions come at random.
+    static float finite(float x) { return std::min(std::max(x, -kLargest), kLargest); }
+
     static float reach(const Vec3& origin, const Bounds& world) {
         const Vec3 farthest = glm::max(world.hi - origin, origin - world.lo);
         return std::max(farthest.x, std::max(farthest.y, farthest.z));

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
+#include <glm/gtc/type_ptr.hpp>
 #include <optional>
 
 #include "core/base/math.h"
@@ -16,28 +18,41 @@ using TriangleCorners = std::array<std::array<float, 3>, 3>;
 
 inline std::array<float, 3> toArray(const Vec3& v) { return {v.x, v.y, v.z}; }
 
-/// What the test needs of a ray, computed once per ray: the shear to a space where the ray runs along +z
-/// through the origin. It maps a vertex to the same place for all triangles around it: hence no gaps.
+/// What the test needs of a ray, computed once per ray: axes turned so that the direction is longest along
+/// the third, and the shear to a space where the ray runs along it through the origin. That maps a vertex to
+/// the same place for all triangles around it: hence no gaps.
 struct RayShear {
-    explicit RayShear(const Ray& ray) : origin(toArray(ray.origin)), direction(toArray(ray.direction)) {
+    explicit RayShear(const Ray& ray) {
+        const float* const from = glm::value_ptr(ray.origin);
+        const float* const along = glm::value_ptr(ray.direction);
         const Vec3 size = glm::abs(ray.direction);
         const bool x = size.x > size.y, ofXY = (x ? size.x : size.y) > size.z;
         // Without branches, for they would be taken at random.
-        kz = ofXY ? (x ? 0U : 1U) : 2U;
-        const std::size_t turned = std::signbit(direction[kz]) ? 1 : 0; // keeps the winding
-        kx = kAxes[kz + 1 + turned];
-        ky = kAxes[kz + 2 - turned];
-        sx = direction[kx] / direction[kz];
-        sy = direction[ky] / direction[kz];
+        const std::size_t longest = ofXY ? (x ? 0U : 1U) : 2U;
+        const std::size_t backward = std::bit_cast<std::uint32_t>(along[longest]) >> 31U; // keeps the winding
+        axes = {kAxes[longest + 1 + backward], kAxes[longest + 2 - backward], longest};
+        origin = {from[axes[0]], from[axes[1]], from[axes[2]]};
+        direction = {along[axes[0]], along[axes[1]], along[axes[2]]};
+        sx = direction[0] / direction[2];
+        sy = direction[1] / direction[2];
     }
 
+    /// A vertex along the turned axes.
+    std::array<float, 3> turned(const std::array<float, 3>& vertex) const {
+        return {vertex[axes[0]], vertex[axes[1]], vertex[axes[2]]};
+    }
+    TriangleCorners turned(const TriangleCorners& corners) const {
+        return {turned(corners[0]), turned(corners[1]), turned(corners[2])};
+    }
+
+    /// Where the shear maps a turned vertex to.
     Vec2 operator()(const std::array<float, 3>& vertex) const {
-        const float z = vertex[kz] - origin[kz];
-        return {vertex[kx] - origin[kx] - sx * z, vertex[ky] - origin[ky] - sy * z};
+        const float z = vertex[2] - origin[2];
+        return {vertex[0] - origin[0] - sx * z, vertex[1] - origin[1] - sy * z};
     }
 
-    std::array<float, 3> origin, direction;
-    std::size_t kx, ky, kz; // kz is the axis along which the direction is longest
+    std::array<std::size_t, 3> axes;
+    std::array<float, 3> origin, direction; // turned
     float sx, sy;
 
 private:
@@ -45,9 +60,43 @@ private:
 };
 
 namespace detail {
-/// The rest of the test for a triangle that its sheared corners do not rule out.
-std::optional<Hit> finishTriangle(const TriangleCorners&, const std::array<Vec2, 3>& sheared,
-                                  bool doubleSided, const RayShear&, float tMin, float tMax);
+inline DVec3 toDouble(const std::array<float, 3>& v) { return {v[0], v[1], v[2]}; }
+
+// Twice the signed area of the origin with p and q: exact but for one rounding, since products of floats are
+// exact in double; its sign is that of the exact value.
+inline double edge(const Vec2& p, const Vec2& q) {
+    return static_cast<double>(p.x) * q.y - static_cast<double>(p.y) * q.x;
+}
+
+/// The rest of the test for a triangle, of turned corners, that its sheared ones do not rule out.
+inline std::optional<Hit> finishTriangle(const TriangleCorners& corners, const std::array<Vec2, 3>& sheared,
+                                         bool doubleSided, const RayShear& shear, float tMin, float tMax) {
+    const DVec3 origin = toDouble(shear.origin), direction = toDouble(shear.direction);
+    const DVec3 first = toDouble(corners[0]), second = toDouble(corners[1]), third = toDouble(corners[2]);
+    const DVec3 normal = glm::cross(second - first, third - first);
+    // Where the ray meets the plane of the triangle. From the unsheared corners: a ray that starts beside the
+    // plane by one unit in the last place knows on which side.
+    const double distance = glm::dot(normal, first - origin), approach = glm::dot(normal, direction);
+    // Where the corners lie along the longest axis of the ray, from its origin on and ahead.
+    const double along = std::fabs(direction.z), sign = std::copysign(1.0, direction.z);
+    const double a = sign * (first.z - origin.z), b = sign * (second.z - origin.z),
+                 c = sign * (third.z - origin.z);
+    const double nearest = std::min(a, std::min(b, c)), farthest = std::max(a, std::max(b, c));
+    if (nearest <= 0 && distance * approach < 0) return {}; // behind, like the triangle that a ray leaves
+    // Kept within the t of its corners: so it is bounded also for a triangle seen edge-on.
+    const auto t =
+        static_cast<float>(std::min(std::max(nearest / along, distance / approach), farthest / along));
+    if (!(t > tMin && t < tMax)) return {}; // first, for it rules out the triangle that a ray leaves
+
+    const double u = edge(sheared[2], sheared[1]), v = edge(sheared[0], sheared[2]),
+                 w = edge(sheared[1], sheared[0]);
+    const bool front = u >= 0 && v >= 0 && w >= 0, back = u <= 0 && v <= 0 && w <= 0;
+    if (!front && !(doubleSided && back)) return {};
+    const double sum = u + v + w;
+    if (!(std::fabs(sum) > 0) || normal == DVec3(0)) return {};
+    const double share = 1 / sum;
+    return Hit{.t = t, .u = static_cast<float>(v * share), .v = static_cast<float>(w * share)};
+}
 }
 
 /// Closest hit of one triangle in (tMin, tMax), or nothing; `primitive` and `instance` stay 0. Neighbours
@@ -55,11 +104,12 @@ std::optional<Hit> finishTriangle(const TriangleCorners&, const std::array<Vec2,
 /// NaN. Thread-safe.
 inline std::optional<Hit> intersectCorners(const TriangleCorners& corners, bool doubleSided,
                                            const RayShear& shear, float tMin, float tMax) {
-    const Vec2 a = shear(corners[0]), b = shear(corners[1]), c = shear(corners[2]);
+    const TriangleCorners turned = shear.turned(corners);
+    const Vec2 a = shear(turned[0]), b = shear(turned[1]), c = shear(turned[2]);
     const float u = c.x * b.y - c.y * b.x, v = a.x * c.y - a.y * c.x, w = b.x * a.y - b.y * a.x;
     // Rounding is monotonic, so each has the sign of its exact value or is 0: both signs are a miss for sure.
     if (std::min(u, std::min(v, w)) < 0 && std::max(u, std::max(v, w)) > 0) return {};
-    return detail::finishTriangle(corners, {a, b, c}, doubleSided, shear, tMin, tMax);
+    return detail::finishTriangle(turned, {a, b, c}, doubleSided, shear, tMin, tMax);
 }
 
 }
