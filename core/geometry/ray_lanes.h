@@ -131,35 +131,34 @@ HWY_INLINE SurfaceLanes toWorld(const Placement& placement, const SurfaceLanes& 
     return world;
 }
 
-/// As firstEnd in solid.h, of passages that are `valid`.
+/// As firstEnd in solid.h; ends that are NaN or infinite are none.
 HWY_INLINE ShapeHitLanes firstEnd(DoubleLanes in, DoubleLanes out, IntLanes inFace, IntLanes outFace,
-                                  DoubleMask valid, const RayLanes& ray) {
-    const auto never = all(std::numeric_limits<double>::infinity());
-    const auto there = both(valid, in <= out);
-    const auto first = select(there, in, never), second = select(there, out, never);
-    const auto t0 = narrow(first), t1 = narrow(second);
+                                  const RayLanes& ray) {
+    const auto t0 = narrow(in), t1 = narrow(out);
     const auto within = [&](FloatLanes t) HWY_ATTR { return hn::And(t > ray.tMin, t < ray.tMax); };
-    const auto atFirst = within(t0);
-    const auto t = hn::IfThenElse(atFirst, t0, hn::IfThenElse(within(t1), t1, all(kInfinity)));
-    const auto u = hn::IfThenElse(atFirst, narrow(first - widen(t0)), narrow(second - widen(t1)));
+    const auto atFirst = within(t0), atSecond = hn::AndNot(atFirst, within(t1));
+    const auto t = hn::IfThenElse(atFirst, t0, hn::IfThenElse(atSecond, t1, all(kInfinity)));
+    auto u = narrow(in - widen(t0));
+    if (!hn::AllFalse(FloatTag(), atSecond)) u = hn::IfThenElse(atSecond, narrow(out - widen(t1)), u);
     return {t, u, hn::IfThenElse(hn::RebindMask(IntTag(), atFirst), inFace, outFace)};
 }
 
-/// A line that meets the sphere behind the ray alone, which most rays that leave it do, needs no roots.
+/// For rays whose tMin is not negative: a line that meets the sphere behind the ray alone, which most rays
+/// that leave it do, needs no roots. Those of a line that misses it are NaN.
 HWY_INLINE ShapeHitLanes intersect(const Sphere& sphere, const RayLanes& ray) {
     const double radius = sphere.radius;
     const auto zero = all(0.0);
+    const auto face = hn::Zero(IntTag());
+    const ShapeHitLanes missed{all(kInfinity), hn::Zero(FloatTag()), face};
     const DVec3Lanes o = widen(ray.origin), d = widen(ray.direction);
     const auto a = dot(d, d), b = dot(o, d), c = dot(o, o) - all(radius * radius);
     const DVec3Lanes aside = cross(o, d);
     const auto discriminant = a * all(radius * radius) - dot(aside, aside);
-    const auto met = both(discriminant >= zero, all(radius) > zero);
-    const auto face = hn::Zero(IntTag());
-    if (none(butNot(both(b >= zero, c >= zero), met))) return {all(kInfinity), hn::Zero(FloatTag()), face};
+    const auto behind = both(b >= zero, c >= zero);
+    if (!(radius > 0) || none(butNot(behind, discriminant >= zero))) return missed;
     const auto q = -(b + copySign(sqrt(discriminant), b));
     const auto r = q / a, s = c / q;
-    const auto ascending = r < s;
-    return firstEnd(select(ascending, r, s), select(ascending, s, r), face, face, met, ray);
+    return firstEnd(min(r, s), max(s, r), face, face, ray);
 }
 
 HWY_INLINE DoubleLanes meetsPlane(const RayLanes& ray) {
@@ -209,7 +208,10 @@ HWY_INLINE ShapeHitLanes intersect(const Box& box, const RayLanes& ray) {
     cut(ray.origin.y, ray.direction.y, 0.5 * box.size.y, 2);
     cut(ray.origin.z, ray.direction.z, 0.5 * box.size.z, 4);
     if (none(met)) return {all(kInfinity), hn::Zero(FloatTag()), hn::Zero(IntTag())};
-    return firstEnd(in, out, toInts(inFace), toInts(outFace), met, ray);
+    const auto never = all(std::numeric_limits<double>::infinity());
+    const auto there = both(met, in <= out);
+    return firstEnd(select(there, in, never), select(there, out, never), toInts(inFace), toInts(outFace),
+                    ray);
 }
 
 /// Ray by ray: quadrics with caps have too many cases to be taken at once.

@@ -11,40 +11,34 @@
 
 namespace eyeray {
 
+inline constexpr std::size_t kStreamCapacity = 1024; // rays
+
+/// Has room for the lanes of a register more. Registers that lie across two cache lines are read and written
+/// more slowly.
+template <class T>
+struct alignas(64) Column : std::array<T, kStreamCapacity + 16> {};
+
 /// Vectors of three, component by component.
 struct Columns3 {
-    std::vector<float> x, y, z;
+    Column<float> x, y, z;
 
-    void resize(std::size_t size) { x.resize(size), y.resize(size), z.resize(size); }
     Vec3 at(std::size_t i) const { return {x[i], y[i], z[i]}; }
     void set(std::size_t i, const Vec3& v) { x[i] = v.x, y[i] = v.y, z[i] = v.z; }
 };
 
-/// All columns have room for `kCapacity` rays and for the lanes of a register more.
 struct RayStream {
-    static constexpr std::size_t kCapacity = 1024, kPadding = 16;
-
-    RayStream() {
-        constexpr std::size_t room = kCapacity + kPadding;
-        for (Columns3* columns : {&origin, &direction, &share, &weight, &direct, &onward, &transmitted})
-            columns->resize(room);
-        for (std::vector<float>* column : {&t, &u, &v}) column->resize(room);
-        for (std::vector<std::uint32_t>* column : {&primitive, &instance, &order, &media, &parent, &sample})
-            column->resize(room);
-    }
-
     std::size_t size = 0;
-    Columns3 origin, direction;        // direction is unit
-    Columns3 share;                    // of a ray's radiance that its parent's hit sends on
-    Columns3 weight;                   // of its radiance that reaches the pixel
-    std::vector<std::uint32_t> media;  // it runs in, by their number in the MediumTable
-    std::vector<std::uint32_t> parent; // in the stream of the depth before
-    std::vector<std::uint32_t> sample; // of the tile
+    Columns3 origin, direction;   // direction is unit
+    Columns3 share;               // of a ray's radiance that its parent's hit sends on
+    Columns3 weight;              // of its radiance that reaches the pixel
+    Column<std::uint32_t> media;  // it runs in, by their number in the MediumTable
+    Column<std::uint32_t> parent; // in the stream of the depth before
+    Column<std::uint32_t> sample; // of the tile
 
-    std::vector<float> t, u, v; // of hits, as in TileHits
-    std::vector<std::uint32_t> primitive, instance;
+    Column<float> t, u, v; // of hits, as in TileHits
+    Column<std::uint32_t> primitive, instance;
     bool hitsKnown = false;                      // they are there already
-    std::vector<std::uint32_t> order;            // of those that hit something, by their bucket
+    Column<std::uint32_t> order;                 // of those that hit something, by their bucket
     static constexpr std::size_t kBuckets = 256; // for materials, by their number modulo this
     std::array<std::uint32_t, kBuckets> ends{};  // of the buckets in `order`
     Columns3 direct, onward, transmitted;        // radiance of a ray = (direct + onward)·transmitted
@@ -55,9 +49,7 @@ struct StreamMemory {
     std::vector<std::unique_ptr<RayStream>> streams; // by depth
     MediumTable media;                               // of all depths
     std::vector<int> treeNodes;                      // of each sample's tree
-    std::vector<std::uint32_t> x, y;                 // of each sample's pixel
-
-    StreamMemory() : x(RayStream::kCapacity + RayStream::kPadding), y(x.size()) {}
+    Column<std::uint32_t> x{}, y{};                  // of each sample's pixel
 
     RayStream& stream(std::size_t depth) {
         while (streams.size() <= depth) streams.push_back(std::make_unique<RayStream>());

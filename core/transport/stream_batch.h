@@ -13,32 +13,39 @@
 HWY_BEFORE_NAMESPACE();
 namespace eyeray::HWY_NAMESPACE {
 
-HWY_INLINE FloatLanes load(const std::vector<float>& column, std::size_t first) {
+HWY_INLINE FloatLanes load(const Column<float>& column, std::size_t first) {
     return hn::LoadU(FloatTag(), &column[first]);
 }
 HWY_INLINE Vec3Lanes load(const Columns3& columns, std::size_t first) {
     return {load(columns.x, first), load(columns.y, first), load(columns.z, first)};
 }
-HWY_INLINE BitLanes load(const std::vector<std::uint32_t>& column, std::size_t first) {
+HWY_INLINE BitLanes load(const Column<std::uint32_t>& column, std::size_t first) {
     return hn::LoadU(BitTag(), &column[first]);
 }
-HWY_INLINE void store(FloatLanes values, std::vector<float>& column, std::size_t first) {
+HWY_INLINE void store(FloatLanes values, Column<float>& column, std::size_t first) {
     hn::StoreU(values, FloatTag(), &column[first]);
 }
 HWY_INLINE void store(const Vec3Lanes& values, Columns3& columns, std::size_t first) {
     store(values.x, columns.x, first), store(values.y, columns.y, first), store(values.z, columns.z, first);
 }
-HWY_INLINE void store(IntLanes values, std::vector<std::uint32_t>& column, std::size_t first) {
+HWY_INLINE void store(IntLanes values, Column<std::uint32_t>& column, std::size_t first) {
     const BitTag b;
     hn::StoreU(hn::BitCast(b, values), b, &column[first]);
 }
-HWY_INLINE IntLanes loadInts(const std::vector<std::uint32_t>& column, std::size_t first) {
+HWY_INLINE void storeFirst(std::size_t count, const Vec3Lanes& values, Columns3& columns, std::size_t first) {
+    const FloatTag f;
+    const auto there = hn::FirstN(f, count);
+    hn::BlendedStore(values.x, there, f, &columns.x[first]);
+    hn::BlendedStore(values.y, there, f, &columns.y[first]);
+    hn::BlendedStore(values.z, there, f, &columns.z[first]);
+}
+HWY_INLINE IntLanes loadInts(const Column<std::uint32_t>& column, std::size_t first) {
     return hn::BitCast(IntTag(), hn::LoadU(BitTag(), &column[first]));
 }
 
 /// The lanes of the mask, close together; what comes after them is overwritten. Not CompressStore, which
 /// is slow on AMD's processors.
-HWY_INLINE void compress(FloatLanes values, FloatMask mask, std::vector<float>& column, std::size_t first) {
+HWY_INLINE void compress(FloatLanes values, FloatMask mask, Column<float>& column, std::size_t first) {
     hn::StoreU(hn::Compress(values, mask), FloatTag(), &column[first]);
 }
 HWY_INLINE void compress(const Vec3Lanes& values, FloatMask mask, Columns3& columns, std::size_t first) {
@@ -46,8 +53,7 @@ HWY_INLINE void compress(const Vec3Lanes& values, FloatMask mask, Columns3& colu
     compress(values.y, mask, columns.y, first);
     compress(values.z, mask, columns.z, first);
 }
-HWY_INLINE void compress(IntLanes values, FloatMask mask, std::vector<std::uint32_t>& column,
-                         std::size_t first) {
+HWY_INLINE void compress(IntLanes values, FloatMask mask, Column<std::uint32_t>& column, std::size_t first) {
     store(hn::Compress(values, hn::RebindMask(IntTag(), mask)), column, first);
 }
 
@@ -59,7 +65,7 @@ struct Batch {
     FloatMask active;
     bool together; // in the stream as here
 
-    Batch(const std::vector<std::uint32_t>& order, std::size_t place, std::size_t size)
+    Batch(const Column<std::uint32_t>& order, std::size_t place, std::size_t size)
         : count(size), first(order[place]), active(hn::FirstN(FloatTag(), size)) {
         const IntTag n;
         const auto start = static_cast<std::int32_t>(first);
@@ -69,25 +75,19 @@ struct Batch {
     }
 
     /// What a column has for these rays; anything in lanes beyond `count`.
-    HWY_INLINE FloatLanes of(const std::vector<float>& column) const {
+    HWY_INLINE FloatLanes of(const Column<float>& column) const {
         return together ? load(column, first) : hn::GatherIndex(FloatTag(), column.data(), rays);
     }
     HWY_INLINE Vec3Lanes of(const Columns3& columns) const {
         return {of(columns.x), of(columns.y), of(columns.z)};
     }
-    HWY_INLINE IntLanes of(const std::vector<std::uint32_t>& column) const {
+    HWY_INLINE IntLanes of(const Column<std::uint32_t>& column) const {
         if (together) return loadInts(column, first);
         return hn::GatherIndex(IntTag(), reinterpret_cast<const std::int32_t*>(column.data()), rays);
     }
     /// Stores the values of the lanes with their rays.
     HWY_INLINE void put(const Vec3Lanes& values, Columns3& columns) const {
-        if (together) {
-            const FloatTag f;
-            hn::BlendedStore(values.x, active, f, &columns.x[first]);
-            hn::BlendedStore(values.y, active, f, &columns.y[first]);
-            hn::BlendedStore(values.z, active, f, &columns.z[first]);
-            return;
-        }
+        if (together) return storeFirst(count, values, columns, first);
         const SpreadInt places = spread(rays);
         const Spread3 s = spread(values);
         for (std::size_t lane = 0; lane < count; ++lane) columns.set(places.at(lane), s.at(lane));

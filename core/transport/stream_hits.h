@@ -36,7 +36,9 @@ HWY_INLINE void offerShape(const Instance<Index>& instance, std::uint32_t id, Ra
     const HitLanes before{t, load(rays.u, i), all(0.0F), loadInts(rays.primitive, i),
                           loadInts(rays.instance, i)};
     NearestLanes nearest{limit, before};
-    nearest.offer(intersectShape(instance, raysAt(rays, i), limit), id);
+    const ShapeHitLanes found = intersectShape(instance, raysAt(rays, i), limit);
+    if (hn::AllFalse(FloatTag(), found.t < none)) return;
+    nearest.offer(found, id);
     storeHits(nearest.hit, rays, i);
 }
 

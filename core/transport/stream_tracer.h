@@ -40,7 +40,7 @@ public:
         RayStream& next = memory_.stream(depth + 1);
         next.size = 0;
         for (std::size_t place = 0; place < rays.ends.back();) {
-            if (next.size + 2 * kLanes > RayStream::kCapacity) traceNext(depth);
+            if (next.size + 2 * kLanes > kStreamCapacity) traceNext(depth);
             const Batch batch = batchAt(world_, rays, place);
             place += batch.count;
             shade(rays, batch, next, static_cast<int>(depth));
@@ -58,20 +58,31 @@ private:
         RayStream &rays = memory_.stream(depth), &next = memory_.stream(depth + 1);
         if (next.size == 0) return;
         trace(depth + 1);
-        for (std::size_t i = 0; i < next.size; ++i) {
-            const std::uint32_t parent = next.parent[i];
-            rays.onward.set(parent, rays.onward.at(parent) + next.share.at(i) * next.direct.at(i));
-        }
+        for (std::size_t i = 0; i < next.size;) i += handBack(next, i, rays);
         next.size = 0;
+    }
+
+    /// To the parents of the rays from `i` on, as far as these lie side by side; returns how many.
+    static std::size_t handBack(const RayStream& rays, std::size_t i, RayStream& parents) {
+        const IntTag n;
+        const std::uint32_t first = rays.parent[i];
+        const auto together = loadInts(rays.parent, i) == hn::Iota(n, static_cast<std::int32_t>(first));
+        const std::uint32_t run =
+            ~bitsOf(hn::RebindMask(FloatTag(), hn::And(together, hn::FirstN(n, rays.size - i))));
+        const auto count = static_cast<std::size_t>(std::countr_zero(run));
+        const Vec3Lanes sum = load(parents.onward, first) + load(rays.share, i) * load(rays.direct, i);
+        storeFirst(count, sum, parents.onward, first);
+        return count;
     }
 
     /// And the background, what the media on the way leave, and nothing onward yet.
     void findHits(RayStream& rays) {
+        if (!rays.hitsKnown) closestHits(geometry_, rays);
         for (std::size_t i = 0; i < rays.size; i += kLanes) {
             store(all(Color(0)), rays.onward, i);
-            store(radianceOf(world_.scene->environment, load(rays.direction, i)), rays.direct, i);
+            if (!hn::AllFalse(IntTag(), loadInts(rays.instance, i) == missed()))
+                store(radianceOf(world_.scene->environment, load(rays.direction, i)), rays.direct, i);
         }
-        if (!rays.hitsKnown) closestHits(geometry_, rays);
         for (std::size_t i = 0; i < rays.size && glass_.attenuates; ++i) {
             const Color sigma = attenuationIn(world_, memory_.media.at(rays.media[i]));
             rays.transmitted.set(i, transmittanceOf(sigma, rays.t[i]));

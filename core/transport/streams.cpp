@@ -8,7 +8,6 @@
 #include "core/transport/eye_ray_lanes.h"
 #include "core/transport/stream_tracer.h"
 #include "core/transport/streams.h"
-#include "core/transport/valid_sample.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace eyeray::HWY_NAMESPACE {
@@ -28,7 +27,7 @@ public:
     void add(int x, int y) {
         memory_.x[eye_.size] = static_cast<std::uint32_t>(x);
         memory_.y[eye_.size] = static_cast<std::uint32_t>(y);
-        if (++eye_.size == RayStream::kCapacity) trace();
+        if (++eye_.size == kStreamCapacity) trace();
     }
 
     /// True if no tree was too large.
@@ -74,6 +73,11 @@ private:
     }
 
     void trace() {
+        if (!context_.stop.stop_requested()) traceAll();
+        eye_.size = 0;
+    }
+
+    void traceAll() {
         makeEyeRays();
         memory_.treeNodes.assign(eye_.size, 0);
         result_.counts[RayKind::Eye] += eye_.size;
@@ -83,11 +87,23 @@ private:
         tracer_.trace(0);
         if (result_.tile.hits.kept() && !eye_.hitsKnown)
             eachHitColumn([&](const auto* ours, auto* kept) { std::copy_n(ours, eye_.size, kept); });
+        handOver();
+    }
+
+    /// As validSample.
+    void handOver() {
+        const FloatTag f;
         const std::size_t before = result_.radiance.size();
+        result_.radiance.resize(before + eye_.size + kLanes);
+        for (std::size_t i = 0; i < eye_.size; i += kLanes) {
+            const Vec3Lanes c = load(eye_.direct, i);
+            const auto valid = hn::And(hn::And(hn::IsFinite(c.x), hn::IsFinite(c.y)), hn::IsFinite(c.z));
+            result_.counts.invalidSamples +=
+                hn::CountTrue(f, hn::AndNot(valid, hn::FirstN(f, eye_.size - i)));
+            const Vec3Lanes kept = orZero(valid, c);
+            hn::StoreInterleaved3(kept.x, kept.y, kept.z, f, &result_.radiance[before + i].x);
+        }
         result_.radiance.resize(before + eye_.size);
-        for (std::size_t i = 0; i < eye_.size; ++i)
-            result_.radiance[before + i] = validSample(eye_.direct.at(i), result_.counts);
-        eye_.size = 0;
     }
 
     const TraceContext& context_;
@@ -103,9 +119,7 @@ bool traceTileByStreams(const TraceContext& context, int pass, TileResult& resul
     return std::visit(
         [&]<class Index>(const IndexedGeometry<Index>& geometry) {
             TileSamples<Index> samples(context, geometry, pass, result);
-            eachTraced(tile, [&](int x, int y) {
-                if (!context.stop.stop_requested()) samples.add(x, y);
-            });
+            eachTraced(tile, [&](int x, int y) { samples.add(x, y); });
             return samples.finish();
         },
         *context.world->accel);
