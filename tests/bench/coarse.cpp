@@ -9,7 +9,7 @@
 namespace eyeray::bench {
 namespace {
 
-constexpr int kEdits = 200;
+constexpr int kEdits = 200, kShadingEdits = 24;
 
 /// What a person does at the mouse and the panels, at random.
 class Editor {
@@ -83,11 +83,53 @@ void edit(const std::string& scene) {
     printSeries("  of the scene, with its rebuilding", rebuilt);
 }
 
+/// What changes no eye ray and nothing that it meets.
+Command shadingEdit(int number) {
+    switch (number % 4) {
+    case 0:
+        return Command::parse(
+            fmt::format("material material=0 diffuse={},0.5,0.5", 0.2 + 0.7 * number / kShadingEdits));
+    case 1:
+        return Command::parse(fmt::format("set max-depth={}", 4 + number / 4 % 2));
+    default: // off, then on
+        return Command::parse("toggle key=shadows");
+    }
+}
+
+/// Edits of shading alone, each after a whole sample. `known`: the World shares the accelerator of the one
+/// before, so that its eye hits are known; else it is built anew.
+void shade(const std::string& scene, bool known) {
+    Document document = openForever(scene);
+    auto world = buildWorld(document.scene, document.build);
+    RenderSession session;
+    const auto sample = [&] {
+        session.start(world, document.camera, document.render);
+        RenderStatus status = awaitCoarse(session);
+        while (status.samples < 1) status = session.wait(std::chrono::milliseconds(1));
+        return status;
+    };
+    sample();
+    std::vector<double> coarse, first;
+    for (int i = 0; i < kShadingEdits; ++i) {
+        document = apply(document, shadingEdit(i));
+        world = buildWorld(document.scene, document.build, known ? world.get() : nullptr);
+        const RenderStatus status = sample();
+        coarse.push_back(status.secondsToCoarse * 1e3);
+        first.push_back(status.secondsToFirstPass * 1e3);
+    }
+    const char* const how = known ? "" : ", hits not known";
+    printSeries(fmt::format("{}, coarse{}", scene, how), coarse);
+    printSeries(fmt::format("{}, sample{}", scene, how), first);
+}
+
 }
 
 void benchCoarse() {
     printHeading("Edit to whole coarse picture, 1280x720", "ms");
     for (const char* scene : {"homage", "many", "terrain"}) edit(scene);
+    printHeading("Edit of shading alone to coarse picture and to first sample", "ms");
+    for (const char* scene : {"homage", "knot", "many", "terrain"})
+        for (const bool known : {false, true}) shade(scene, known);
 }
 
 }
