@@ -140,6 +140,20 @@ TYPED_TEST(EachTree, OfARayThatMeetsNothingHasNoPrimitive) {
     for (const BoxTests& tests : log.boxes) EXPECT_EQ(tests.met, 0U);
 }
 
+TEST(Bvh8, GoesFirstToTheFarEndWhereAnyHitIsAsGood) {
+    std::vector<Instance<Bvh8>> row;
+    for (int i = 0; i < 8; ++i)
+        row.push_back(place<Bvh8>(glm::translate(DMat4(1), DVec3(3 * i, 0, 0)), Shape(Sphere{1})));
+    const auto geometry = indexInstances<Bvh8>(std::move(row), {});
+    const auto firstTested = [&](const Ray& r) {
+        TraversalLog log;
+        EXPECT_TRUE(anyHit(geometry, r, RayMask::All, log));
+        return log.primitives.front().instance;
+    };
+    EXPECT_EQ(firstTested(ray({-5, 0, 0}, {1, 0, 0})), 7U);
+    EXPECT_EQ(firstTested(ray({26, 0, 0}, {-1, 0, 0})), 0U);
+}
+
 TEST(Bvh8, KnowsHowManyChildrenANodeHas) {
     for (const int count : {1, 3, 8}) {
         std::vector<Bounds> boxes;

@@ -125,7 +125,9 @@ private:
     std::int64_t bits_;
 };
 
-/// Whether the leaf nearest to the origin matters, or any.
+/// Whether the leaf nearest to the origin matters, or any. Children stand roughly by rising coordinates: so a
+/// ray to which any hit is as good goes through them from one end, the farther ones first, for near its
+/// origin lies the surface that it leaves.
 enum class Order : std::uint8_t { Nearest, Any };
 
 /// Calls leaf(first slot, slots) for the leaves whose boxes the ray may meet at t in [tMin, limit], until it
@@ -140,6 +142,7 @@ bool traverse(const Bvh8& tree, const Ray& ray, const float& limit, const Leaf& 
     alignas(32) std::array<float, Bvh8::kWidth> enters;
     const SlabLanes slab(RaySlab(ray, tree.bounds()));
     const Bvh8::Node* const nodes = tree.nodes().data();
+    const bool upward = ray.direction.x + ray.direction.y + ray.direction.z > 0;
     std::uint32_t child = 0;
     while (true) {
         if (Bvh8::isLeaf(child)) {
@@ -159,10 +162,19 @@ bool traverse(const Bvh8& tree, const Ray& ray, const float& limit, const Leaf& 
                 child = node.child[first];
                 met &= met - 1;
                 if (met == 0) continue; // mostly; where it is entered has not to be waited for
+                PendingChild next(enters[first], child);
                 if constexpr (kOrder == Order::Any) {
-                    for (; met != 0; met &= met - 1) stack[pending++] = lowest(met);
+                    if (upward) {
+                        for (; met != 0; met &= met - 1) {
+                            stack[pending++] = next;
+                            next = lowest(met);
+                        }
+                    } else {
+                        pending += static_cast<std::size_t>(std::popcount(met));
+                        for (std::size_t place = pending; met != 0; met &= met - 1)
+                            stack[--place] = lowest(met);
+                    }
                 } else {
-                    PendingChild next(enters[first], child);
                     for (const std::size_t bottom = pending; met != 0; met &= met - 1) {
                         const PendingChild other = lowest(met), farther = std::max(next, other);
                         next = std::min(next, other);
@@ -171,8 +183,8 @@ bool traverse(const Bvh8& tree, const Ray& ray, const float& limit, const Leaf& 
                             stack[place] = stack[place - 1];
                         stack[place] = farther;
                     }
-                    child = next.child();
                 }
+                child = next.child();
                 continue;
             }
         }

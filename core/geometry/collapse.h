@@ -25,7 +25,8 @@ public:
         std::array<std::uint32_t, Bvh8::kWidth> node;
         std::size_t count = 0;
     };
-    /// What stands below a node of the wide tree that is made of this one; the leaf itself if it is one.
+    /// What stands below a node of the wide tree that is made of this one, from left to right as in the
+    /// binary tree, hence roughly by rising coordinates; the leaf itself if it is one.
     Children childrenOf(std::uint32_t node) const;
 
 private:
