@@ -142,6 +142,7 @@ TYPED_TEST(EachTree, OfARayThatMeetsNothingHasNoPrimitive) {
 
 TEST(Bvh8, GoesFirstToTheFarEndWhereAnyHitIsAsGood) {
     std::vector<Instance<Bvh8>> row;
+    row.reserve(8);
     for (int i = 0; i < 8; ++i)
         row.push_back(place<Bvh8>(glm::translate(DMat4(1), DVec3(3 * i, 0, 0)), Shape(Sphere{1})));
     const auto geometry = indexInstances<Bvh8>(std::move(row), {});
