@@ -9,6 +9,8 @@
 #define EYERAY_LANES_H
 #endif
 
+#include <array>
+
 #include <hwy/highway.h>
 
 #include "core/base/math.h"
@@ -36,6 +38,26 @@ HWY_INLINE std::uint32_t bitsOf(FloatMask mask) {
 HWY_INLINE FloatMask maskOf(std::uint32_t bits) {
     const std::uint8_t bytes[8] = {static_cast<std::uint8_t>(bits), static_cast<std::uint8_t>(bits >> 8U)};
     return hn::LoadMaskBits(FloatTag(), bytes);
+}
+
+/// Which of 8 lanes come first, next and so on to lie close together, for each mask of them.
+inline constexpr auto kCloseTogether = [] {
+    std::array<std::array<std::int32_t, 8>, 256> from{};
+    for (std::size_t bits = 0; bits < from.size(); ++bits)
+        for (std::size_t lane = 0, next = 0; lane < 8; ++lane)
+            if ((bits >> lane & 1U) != 0) from[bits][next++] = static_cast<std::int32_t>(lane);
+    return from;
+}();
+
+/// The lanes of the mask, close together. Not Highway's Compress where that looks them up in a table, which
+/// g++ copies to the stack each time.
+template <class Lanes>
+HWY_INLINE Lanes compressed(Lanes values, FloatMask mask) {
+    const hn::DFromV<Lanes> d;
+    if constexpr (kLanes == 1 || kLanes > 8)
+        return hn::Compress(values, hn::RebindMask(d, mask));
+    else
+        return hn::TableLookupLanes(values, hn::SetTableIndices(d, kCloseTogether[bitsOf(mask)].data()));
 }
 
 /// Vectors of three, a lane each.

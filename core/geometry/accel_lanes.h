@@ -157,7 +157,7 @@ HWY_INLINE void eachInstance(IntLanes instances, FloatMask asked, const Each& ea
     const FloatTag f;
     const IntTag n;
     while (!hn::AllFalse(f, asked)) {
-        const std::int32_t id = hn::GetLane(hn::Compress(instances, hn::RebindMask(n, asked)));
+        const std::int32_t id = hn::GetLane(compressed(instances, asked));
         const auto there = hn::And(asked, hn::RebindMask(f, instances == hn::Set(n, id)));
         each(static_cast<std::uint32_t>(id), there);
         asked = hn::AndNot(there, asked);

@@ -46,7 +46,7 @@ HWY_INLINE IntLanes loadInts(const Column<std::uint32_t>& column, std::size_t fi
 /// The lanes of the mask, close together; what comes after them is overwritten. Not CompressStore, which
 /// is slow on AMD's processors.
 HWY_INLINE void compress(FloatLanes values, FloatMask mask, Column<float>& column, std::size_t first) {
-    hn::StoreU(hn::Compress(values, mask), FloatTag(), &column[first]);
+    hn::StoreU(compressed(values, mask), FloatTag(), &column[first]);
 }
 HWY_INLINE void compress(const Vec3Lanes& values, FloatMask mask, Columns3& columns, std::size_t first) {
     compress(values.x, mask, columns.x, first);
@@ -54,7 +54,7 @@ HWY_INLINE void compress(const Vec3Lanes& values, FloatMask mask, Columns3& colu
     compress(values.z, mask, columns.z, first);
 }
 HWY_INLINE void compress(IntLanes values, FloatMask mask, Column<std::uint32_t>& column, std::size_t first) {
-    store(hn::Compress(values, hn::RebindMask(IntTag(), mask)), column, first);
+    store(compressed(values, mask), column, first);
 }
 
 /// Some rays of a stream that hit the same material.

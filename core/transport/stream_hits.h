@@ -97,7 +97,7 @@ inline void sortByMaterial(const World& world, RayStream& rays) {
     for (std::size_t i = 0; i < rays.size; i += kLanes) {
         const auto numbers = hn::Iota(n, static_cast<std::int32_t>(i));
         eachBucket(world, rays, i, [&](std::uint32_t& end, FloatMask lanes, std::size_t count) HWY_ATTR {
-            hn::BlendedStore(hn::Compress(numbers, hn::RebindMask(n, lanes)), hn::FirstN(n, count), n,
+            hn::BlendedStore(compressed(numbers, lanes), hn::FirstN(n, count), n,
                              reinterpret_cast<std::int32_t*>(&rays.order[end]));
             end += static_cast<std::uint32_t>(count);
         });
