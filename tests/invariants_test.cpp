@@ -92,7 +92,8 @@ TEST_P(BuiltInPicture, IsTheSameOnAnyNumberOfThreadsAndInParts) {
         session.start(world, scene.cameras.front(), render);
         while (session.wait(std::chrono::milliseconds(1000)).active()) {
         }
-        return session.image().values();
+        const ColorImage image = session.image();
+        return std::vector<Color>(image.values().begin(), image.values().end());
     };
     EXPECT_EQ(different(rendered(1, 0, 8), rendered(3, 0, 8)), 0);
     const std::vector<Color> whole = rendered(2, 0, 256, 4);

@@ -112,7 +112,7 @@ TEST(LayerPicture, RadianceGoesThroughTheDisplayTransformAndAlbedoDoesNot) {
 TEST(LayerPicture, ObjectsHaveTheirColorsNothingIsBlackAndLampsAreWhite) {
     const ByteImage shown = displayLayer(imageOf(Quantity::Object, {0, 5, -1, -2}), {}, {});
     EXPECT_EQ(shown.values(),
-              (std::vector{objectColor(0), objectColor(5), Rgba8{0, 0, 0}, Rgba8{255, 255, 255}}));
+              (LargeArray<Rgba8>{objectColor(0), objectColor(5), Rgba8{0, 0, 0}, Rgba8{255, 255, 255}}));
 }
 
 /// One channel of an EXR.
