@@ -64,12 +64,29 @@ TEST(IndexView, TheSliderGoesThroughTheLevels) {
     const float y = (slider.y0 + slider.y1) / 2;
     screen.drag(0, {slider.x0 + 6, y}, {slider.x1 - 2, y});
     screen.settle();
-    const int deepest = levelsOf(*screen.viewer.shownWorld()) - 1;
-    const IndexPicture last = boxesOfLevel(*screen.viewer.shownWorld(), deepest);
-    EXPECT_GT(screen.paths(), few + 12 * (kMostIndexBoxes / 2));
+    const World& world = *screen.viewer.shownWorld();
+    const int deepest = levelsOf(world) - 1;
+    const std::size_t last = boxesOfLevel(world, deepest).boxes.size();
+    EXPECT_LT(last, kMostIndexBoxes);
+    EXPECT_GT(screen.paths(), few + 6 * last);
+    EXPECT_EQ(screen.said("level "), fmt::format("level {0} of {0}: {1} boxes", deepest, countText(last)));
+}
+
+TEST(IndexView, OfALevelWithVeryManyBoxesTheLargestAreDrawn) {
+    IndexScreen screen;
+    screen.execute("rayview boxes=level level=0");
+    const std::size_t few = screen.paths();
+    const World& world = *screen.viewer.shownWorld();
+    const int deepest = levelsOf(world) - 1;
+    int level = 0;
+    while (level < deepest && boxesOfLevel(world, level).leftOut == 0) ++level;
+    screen.execute(fmt::format("rayview level={}", level));
+    const IndexPicture shown = boxesOfLevel(world, level);
+    EXPECT_EQ(shown.boxes.size(), kMostIndexBoxes);
+    EXPECT_GT(screen.paths(), few + 6 * kMostIndexBoxes);
     EXPECT_EQ(screen.said("level "),
-              fmt::format("level {0} of {0}: {1} boxes, the {2} largest drawn", deepest,
-                          countText(last.boxes.size() + last.leftOut), kMostIndexBoxes));
+              fmt::format("level {} of {}: {} boxes, the {} largest drawn", level, deepest,
+                          countText(shown.boxes.size() + shown.leftOut), kMostIndexBoxes));
 }
 
 TEST(IndexView, IsChosenInTheListAndFollowsTheAccelerator) {
