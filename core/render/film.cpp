@@ -232,7 +232,9 @@ ColorImage Film::mean(int passes) const {
     ENSURE(passes >= 1);
     ColorImage result(width_, height_);
     const auto& sum = sums_[static_cast<std::size_t>((passes - 1) & 1)];
-    for (const TileState& state : tiles_)
+    for (int tile = 0; tile < tiles(); ++tile) {
+        const TileState& state = tiles_[static_cast<std::size_t>(tile)];
+        const std::scoped_lock lock(mutexOf(tile)); // the next pass may be on its way
         for (int y = state.area.y0; y < state.area.y1; ++y) {
             if (state.passes == passes) {
                 copyRow(state, y, result);
@@ -243,6 +245,7 @@ ColorImage Film::mean(int passes) const {
                 result.at(x, y) = Color(sum[i] / static_cast<double>(samplesOf(state, i, passes)));
             }
         }
+    }
     return result;
 }
 
