@@ -29,6 +29,12 @@ inline constexpr std::size_t kLanes = hn::MaxLanes(FloatTag());
 
 HWY_INLINE FloatLanes all(float value) { return hn::Set(FloatTag(), value); }
 
+/// `first`, the next number and so on. Not Highway's Iota of a variable, which goes through memory.
+HWY_INLINE IntLanes countedFrom(std::size_t first) {
+    const IntTag n;
+    return hn::Iota(n, 0) + hn::Set(n, static_cast<std::int32_t>(first));
+}
+
 /// One bit for each lane.
 HWY_INLINE std::uint32_t bitsOf(FloatMask mask) {
     std::uint8_t bits[8] = {};

@@ -32,15 +32,18 @@ HWY_INLINE void store(IntLanes values, Column<std::uint32_t>& column, std::size_
     const BitTag b;
     hn::StoreU(hn::BitCast(b, values), b, &column[first]);
 }
-HWY_INLINE void storeFirst(std::size_t count, const Vec3Lanes& values, Columns3& columns, std::size_t first) {
-    const FloatTag f;
-    const auto there = hn::FirstN(f, count);
-    hn::BlendedStore(values.x, there, f, &columns.x[first]);
-    hn::BlendedStore(values.y, there, f, &columns.y[first]);
-    hn::BlendedStore(values.z, there, f, &columns.z[first]);
-}
 HWY_INLINE IntLanes loadInts(const Column<std::uint32_t>& column, std::size_t first) {
     return hn::BitCast(IntTag(), hn::LoadU(BitTag(), &column[first]));
+}
+
+/// The first `count` lanes. Not BlendedStore, which is slow on AMD's processors without AVX-512.
+HWY_INLINE void storeFirst(std::size_t count, const Vec3Lanes& values, Columns3& columns, std::size_t first) {
+    store(select(hn::FirstN(FloatTag(), count), values, load(columns, first)), columns, first);
+}
+HWY_INLINE void storeFirst(std::size_t count, IntLanes values, Column<std::uint32_t>& column,
+                           std::size_t first) {
+    const auto there = hn::FirstN(IntTag(), count);
+    store(hn::IfThenElse(there, values, loadInts(column, first)), column, first);
 }
 
 /// The lanes of the mask, close together; what comes after them is overwritten. Not CompressStore, which
@@ -68,10 +71,9 @@ struct Batch {
     Batch(const Column<std::uint32_t>& order, std::size_t place, std::size_t size)
         : count(size), first(order[place]), active(hn::FirstN(FloatTag(), size)) {
         const IntTag n;
-        const auto start = static_cast<std::int32_t>(first);
         const auto here = hn::RebindMask(n, active);
-        rays = hn::IfThenElse(here, loadInts(order, place), hn::Set(n, start));
-        together = hn::AllFalse(n, hn::And(here, rays != hn::Iota(n, start)));
+        rays = hn::IfThenElse(here, loadInts(order, place), hn::Set(n, static_cast<std::int32_t>(first)));
+        together = hn::AllFalse(n, hn::And(here, rays != countedFrom(first)));
     }
 
     /// What a column has for these rays; anything in lanes beyond `count`.

@@ -87,7 +87,6 @@ HWY_INLINE void eachBucket(const World& world, RayStream& rays, std::size_t i, c
 
 /// Puts the rays that hit something in `order`.
 inline void sortByMaterial(const World& world, RayStream& rays) {
-    const IntTag n;
     rays.ends.fill(0);
     for (std::size_t i = 0; i < rays.size; i += kLanes)
         eachBucket(world, rays, i, [](std::uint32_t& size, FloatMask, std::size_t count) HWY_ATTR {
@@ -95,10 +94,9 @@ inline void sortByMaterial(const World& world, RayStream& rays) {
         });
     std::exclusive_scan(rays.ends.begin(), rays.ends.end(), rays.ends.begin(), 0U);
     for (std::size_t i = 0; i < rays.size; i += kLanes) {
-        const auto numbers = hn::Iota(n, static_cast<std::int32_t>(i));
+        const auto numbers = countedFrom(i);
         eachBucket(world, rays, i, [&](std::uint32_t& end, FloatMask lanes, std::size_t count) HWY_ATTR {
-            hn::BlendedStore(compressed(numbers, lanes), hn::FirstN(n, count), n,
-                             reinterpret_cast<std::int32_t*>(&rays.order[end]));
+            storeFirst(count, compressed(numbers, lanes), rays.order, end);
             end += static_cast<std::uint32_t>(count);
         });
     }

@@ -66,7 +66,7 @@ private:
     static std::size_t handBack(const RayStream& rays, std::size_t i, RayStream& parents) {
         const IntTag n;
         const std::uint32_t first = rays.parent[i];
-        const auto together = loadInts(rays.parent, i) == hn::Iota(n, static_cast<std::int32_t>(first));
+        const auto together = loadInts(rays.parent, i) == countedFrom(first);
         const std::uint32_t run =
             ~bitsOf(hn::RebindMask(FloatTag(), hn::And(together, hn::FirstN(n, rays.size - i))));
         const auto count = static_cast<std::size_t>(std::countr_zero(run));
