@@ -164,34 +164,38 @@ HWY_INLINE void eachInstance(IntLanes instances, FloatMask asked, const Each& ea
     }
 }
 
-/// The surfaces at hits of the `asked` rays, in world space.
+/// The surfaces at hits of one instance, in world space; of a mesh in the `asked` lanes alone.
+template <class Index>
+inline SurfaceLanes surfacesOf(const IndexedGeometry<Index>& geometry, const Instance<Index>& instance,
+                               const RayLanes& rays, const HitLanes& hits, FloatMask asked) {
+    const auto ofShape = [&](const auto& shape) HWY_ATTR {
+        const ShapeHitLanes hit{hits.t, hits.u, hits.primitive};
+        return toWorld(instance.placement, surfaceAt(shape, toObject(instance.placement, rays), hit));
+    };
+    const Shape* shape = std::get_if<Shape>(&instance.geometry);
+    if (const auto* sphere = std::get_if<Sphere>(shape)) return ofShape(*sphere);
+    if (const auto* plane = std::get_if<Plane>(shape)) return ofShape(*plane);
+    if (const auto* box = std::get_if<Box>(shape)) return ofShape(*box);
+    const RaySpread single(rays);
+    const HitSpread hit(hits);
+    SurfaceSpread surfaces;
+    eachLane(asked, [&](std::size_t lane) {
+        surfaces.set(lane, surfaceAt(geometry, single.at(lane), hit.at(lane)));
+    });
+    return surfaces.gathered();
+}
+
+/// The surfaces at hits of the `asked` rays, one of them at least, in world space; most often those of a
+/// single instance.
 template <class Index>
 HWY_INLINE SurfaceLanes surfacesAt(const IndexedGeometry<Index>& geometry, const RayLanes& rays,
                                    const HitLanes& hits, FloatMask asked) {
-    SurfaceLanes result{all(Vec3(0)), all(Vec3(0)), all(Vec3(0)), all(Vec3(0)), all(Vec3(0))};
-    eachInstance(hits.instance, asked, [&](std::uint32_t id, FloatMask lanes) HWY_ATTR {
-        const Instance<Index>& instance = geometry.instances[id];
-        const Shape* shape = std::get_if<Shape>(&instance.geometry);
-        const auto localSurface = [&](const auto& s) HWY_ATTR {
-            const ShapeHitLanes hit{hits.t, hits.u, hits.primitive};
-            return toWorld(instance.placement, surfaceAt(s, toObject(instance.placement, rays), hit));
-        };
-        SurfaceLanes here;
-        if (const auto* sphere = std::get_if<Sphere>(shape)) {
-            here = localSurface(*sphere);
-        } else if (const auto* plane = std::get_if<Plane>(shape)) {
-            here = localSurface(*plane);
-        } else if (const auto* box = std::get_if<Box>(shape)) {
-            here = localSurface(*box);
-        } else {
-            const RaySpread single(rays);
-            const HitSpread hit(hits);
-            SurfaceSpread surfaces;
-            eachLane(lanes, [&](std::size_t lane) {
-                surfaces.set(lane, surfaceAt(geometry, single.at(lane), hit.at(lane)));
-            });
-            here = surfaces.gathered();
-        }
+    const auto first = hn::GetLane(compressed(hits.instance, asked));
+    const auto others = hn::And(asked, hn::RebindMask(FloatTag(), hits.instance != hn::Set(IntTag(), first)));
+    SurfaceLanes result = surfacesOf(geometry, geometry.instances[static_cast<std::uint32_t>(first)], rays,
+                                     hits, hn::AndNot(others, asked));
+    eachInstance(hits.instance, others, [&](std::uint32_t id, FloatMask lanes) HWY_ATTR {
+        const SurfaceLanes here = surfacesOf(geometry, geometry.instances[id], rays, hits, lanes);
         result.position = select(lanes, here.position, result.position);
         result.error = select(lanes, here.error, result.error);
         result.geometricNormal = select(lanes, here.geometricNormal, result.geometricNormal);

@@ -16,23 +16,21 @@ namespace eyeray::HWY_NAMESPACE {
 
 /// As ShadingPoint.
 struct ShadingLanes {
-    SurfaceLanes at;
+    const SurfaceLanes& at;
     Vec3Lanes wo, normal, geometricNormal;
     FloatMask front;
 };
 
 HWY_INLINE ShadingLanes shadingOf(const SurfaceLanes& at, const Vec3Lanes& direction) {
     const auto zero = hn::Zero(FloatTag());
-    ShadingLanes p;
-    p.at = at;
-    p.wo = -direction;
-    p.front = dot(at.geometricNormal, p.wo) >= zero;
-    p.geometricNormal = select(p.front, at.geometricNormal, -at.geometricNormal);
+    const Vec3Lanes wo = -direction;
+    const auto front = dot(at.geometricNormal, wo) >= zero;
+    const Vec3Lanes geometricNormal = select(front, at.geometricNormal, -at.geometricNormal);
     const auto sameSide = dot(at.shadingNormal, at.geometricNormal) >= zero;
-    const auto same = hn::Not(hn::Xor(p.front, sameSide));
-    p.normal = select(same, at.shadingNormal, -at.shadingNormal);
-    p.normal = select(dot(p.normal, p.wo) > zero, p.normal, p.geometricNormal);
-    return p;
+    const auto same = hn::Not(hn::Xor(front, sameSide));
+    const Vec3Lanes normal = select(same, at.shadingNormal, -at.shadingNormal);
+    const auto seen = dot(normal, wo) > zero;
+    return {at, wo, select(seen, normal, geometricNormal), geometricNormal, front};
 }
 
 /// As shadowOrigin, towards what is on this side of the surface.

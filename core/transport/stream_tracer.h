@@ -193,7 +193,7 @@ private:
     /// Rays of a batch that may go on.
     struct Parents {
         IntLanes ray, sample;
-        SurfaceLanes at;
+        const SurfaceLanes& at;
         Vec3Lanes weight; // of their radiance at the hit
         FloatMask goOn;
     };
