@@ -59,6 +59,18 @@ TEST(Film, MeanIsTheMeanOfTheSamplesInDouble) {
     }
 }
 
+TEST(Film, MeanThatIsTakenIsTheSameAndTheFilmCanBeUsedAgain) {
+    Film film(kWidth, kHeight);
+    for (const bool brokenOff : {false, true, false}) {
+        film.reset();
+        for (int pass = 0; pass < 2; ++pass)
+            addPass(film, pass, [&](int x, int y) { return sampleOf(x, y, pass); });
+        if (brokenOff) film.add(0, result(film, 0, [](int x, int y) { return sampleOf(x, y, 2); }), 2);
+        const ColorImage mean = film.mean(2);
+        EXPECT_EQ(film.takeMean(2), mean);
+    }
+}
+
 TEST(Film, MeanOfWholePassesStaysReadableDuringTheNextOne) {
     Film film(kWidth, kHeight);
     for (int pass = 0; pass < 3; ++pass)

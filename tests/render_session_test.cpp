@@ -365,6 +365,18 @@ TEST(RenderSession, FailureIsReportedAndLeavesTheOldPicture) {
     finished(session);
 }
 
+TEST(RenderSession, GivesEachPictureAwayOnce) {
+    RenderSession session(1);
+    for (int samples = 1; samples <= 3; ++samples) {
+        start(session, balls(), settingsFor(samples));
+        finished(session);
+        session.stop();
+        const ColorImage image = session.image();
+        EXPECT_EQ(session.takeImage(), image);
+        EXPECT_TRUE(session.image().empty());
+    }
+}
+
 TEST(RenderSession, SurvivesAStormOfEvents) {
     const std::array scenes = {balls(), underSky(Color(0.5F)), endless()};
     const std::array worlds = {worldOf(scenes[0]), worldOf(scenes[1]), worldOf(scenes[2])};

@@ -170,11 +170,12 @@ std::optional<RenderStatus> renderPicture(RenderJob& job, const RenderOptions& o
                                           const std::vector<Layer>& layers) {
     RenderSession session(job.document.threads);
     RenderStatus status = render(session, job, showsProgress(options));
-    const ColorImage image = session.image();
+    const ColorImage counts = isSampleMap(layers) ? session.sampleCounts() : ColorImage{};
+    const ColorImage image = session.takeImage();
     if (image.empty()) return std::nullopt;
     meterExposure(job, image);
     if (isSampleMap(layers)) {
-        writeOneLayer(job, options, {layers.front(), status.samples, session.sampleCounts()});
+        writeOneLayer(job, options, {layers.front(), status.samples, counts});
         return status;
     }
     writePicture(options.output, image, shownDisplay(job.document.render), stateOf(job));

@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <utility>
 
 #include "core/base/errors.h"
 #include "core/base/large_pages.h"
@@ -22,6 +23,12 @@ public:
     Pixels(int width, int height, T value = T{}) : width_(width), height_(height) {
         ENSURE(width >= 0 && height >= 0);
         values_.assign(static_cast<std::size_t>(width) * static_cast<std::size_t>(height), value);
+    }
+    /// Of these values, as many as there are pixels.
+    Pixels(int width, int height, LargeArray<T> values)
+        : width_(width), height_(height), values_(std::move(values)) {
+        ENSURE(width >= 0 && height >= 0);
+        ENSURE(values_.size() == static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
     }
 
     int width() const { return width_; }

@@ -28,11 +28,10 @@ std::uint64_t nextFilmId() {
 Film::Film(int width, int height) : width_(width), height_(height), id_(nextFilmId()) {
     ENSURE(width >= 1 && height >= 1);
     try {
-        const auto count = static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
-        for (auto& sum : sums_) sum.resize(count);
-        for (auto& square : squares_) square.resize(count);
-        limits_ = std::make_unique_for_overwrite<int[]>(count);
-        shown_.resize(count);
+        for (auto& sum : sums_) sum.resize(pixels());
+        for (auto& square : squares_) square.resize(pixels());
+        limits_ = std::make_unique_for_overwrite<int[]>(pixels());
+        shown_.resize(pixels());
     } catch (const std::bad_alloc&) {
         throw Failure(fmt::format("picture of {}x{}", width, height), "there is not enough memory",
                       "choose a smaller size");
@@ -44,6 +43,7 @@ Film::Film(int width, int height) : width_(width), height_(height), id_(nextFilm
 
 void Film::reset(bool eightBit) {
     eightBit_ = eightBit;
+    shown_.resize(pixels()); // for it may have been taken
     for (TileState& state : tiles_) {
         state.passes = 0;
         state.blank = true;
@@ -247,6 +247,12 @@ ColorImage Film::mean(int passes) const {
         }
     }
     return result;
+}
+
+ColorImage Film::takeMean(int passes) {
+    const auto asShown = [=](const TileState& state) { return state.passes == passes; };
+    if (!std::ranges::all_of(tiles_, asShown)) return mean(passes);
+    return {width_, height_, std::move(shown_)};
 }
 
 Film::Estimate Film::estimate(std::size_t pixel, int samples, std::size_t last) const {

@@ -80,6 +80,10 @@ public:
     /// Mean over the samples of the first `passes` passes.
     ColorImage mean(int passes) const;
 
+    /// The same, in the memory of the film itself where no tile has gone further. Then the film is of no use
+    /// until it is reset.
+    ColorImage takeMean(int passes);
+
     /// How many samples each pixel, row by row, has after `passes`.
     std::vector<int> samples(int passes) const;
 
@@ -115,6 +119,9 @@ private:
     void addWanted(const TileState&, const TileResult&, int pass);
     void copyRow(const TileState&, int y, ColorImage& to) const;
     void roundMeans(const TileState&, int pass);
+    std::size_t pixels() const {
+        return static_cast<std::size_t>(width_) * static_cast<std::size_t>(height_);
+    }
     std::size_t index(int x, int y) const {
         return static_cast<std::size_t>(y) * static_cast<std::size_t>(width_) + static_cast<std::size_t>(x);
     }

@@ -156,6 +156,16 @@ ColorImage RenderSession::image() const {
     return job->passes > 0 ? job->film->mean(job->passes) : ColorImage{};
 }
 
+ColorImage RenderSession::takeImage() {
+    std::shared_ptr<Job> job;
+    {
+        const std::scoped_lock lock(mutex_);
+        ENSURE(!pending_ && !running_);
+        job = std::exchange(shown_, nullptr);
+    }
+    return job && job->passes > 0 ? job->film->takeMean(job->passes) : ColorImage{};
+}
+
 ColorImage RenderSession::sampleCounts() const {
     std::shared_ptr<Job> job;
     {

@@ -80,6 +80,9 @@ public:
     /// Mean of the whole passes; empty if there is none.
     ColorImage image() const;
 
+    /// The same without a copy, once the session has been stopped: it has no picture from then on.
+    ColorImage takeImage();
+
     /// How many samples each pixel has after the whole passes, in all channels; empty if there is none.
     ColorImage sampleCounts() const;
 
