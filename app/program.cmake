@@ -5,9 +5,10 @@ add_library(eyeray_app STATIC ${EYERAY_APP_SOURCES})
 target_include_directories(eyeray_app PUBLIC ${CMAKE_CURRENT_SOURCE_DIR})
 target_link_libraries(eyeray_app
   PUBLIC eyeray_core PkgConfig::imgui
-  PRIVATE glfw PkgConfig::osmesa CLI11::CLI11 nlohmann_json::nlohmann_json ${CMAKE_DL_LIBS})
+  PRIVATE glfw CLI11::CLI11 nlohmann_json::nlohmann_json ${CMAKE_DL_LIBS})
 set_source_files_properties(app/gl/font.S PROPERTIES
   COMPILE_DEFINITIONS EYERAY_FONT="${EYERAY_FONT}" OBJECT_DEPENDS ${EYERAY_FONT})
+target_include_directories(eyeray_app SYSTEM PRIVATE ${osmesa_INCLUDE_DIRS})
 eyeray_compile_options(eyeray_app)
 
 add_executable(eyeray app/main.cpp)

@@ -17,6 +17,6 @@ if(EYERAY_BUILD_APP)
   find_package(glfw3 REQUIRED)
   find_package(CLI11 REQUIRED)
   pkg_check_modules(imgui REQUIRED IMPORTED_TARGET imgui)
-  pkg_check_modules(osmesa REQUIRED IMPORTED_TARGET osmesa)
+  pkg_check_modules(osmesa REQUIRED osmesa) # its header: the program loads the library when it needs it
   find_file(EYERAY_FONT DejaVuSans.ttf REQUIRED PATHS /usr/share/fonts/truetype/dejavu /usr/share/fonts/TTF)
 endif()

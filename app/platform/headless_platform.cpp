@@ -3,6 +3,7 @@
 #include <array>
 
 #include <GL/osmesa.h>
+#include <dlfcn.h>
 
 #include "core/base/errors.h"
 
@@ -10,8 +11,39 @@ namespace eyeray {
 namespace {
 
 constexpr float kFrameSeconds = 1.0F / 60.0F;
+constexpr const char* kRemedy = "install libosmesa6 22.3 or later";
 
-void* getProc(const char* name) { return reinterpret_cast<void*>(OSMesaGetProcAddress(name)); }
+/// Loaded when first asked for: it brings a whole compiler with it, LLVM, whose 3,000 pages of addresses to
+/// fill in would take half of every start of the program.
+class OsMesa {
+public:
+    static const OsMesa& loaded() {
+        static const OsMesa library;
+        return library;
+    }
+
+    decltype(&OSMesaCreateContextAttribs) createContext;
+    decltype(&OSMesaMakeCurrent) makeCurrent;
+    decltype(&OSMesaDestroyContext) destroyContext;
+    decltype(&OSMesaGetProcAddress) getProcAddress;
+
+private:
+    OsMesa() {
+        void* library = ::dlopen("libOSMesa.so.8", RTLD_NOW);
+        if (!library) throw Failure{"OSMesa", "cannot be loaded", kRemedy};
+        find(library, "OSMesaCreateContextAttribs", createContext);
+        find(library, "OSMesaMakeCurrent", makeCurrent);
+        find(library, "OSMesaDestroyContext", destroyContext);
+        find(library, "OSMesaGetProcAddress", getProcAddress);
+    }
+    template <class Function>
+    static void find(void* library, const char* name, Function& function) {
+        function = reinterpret_cast<Function>(::dlsym(library, name));
+        if (!function) throw Failure{"OSMesa", std::string("has no function ") + name, kRemedy};
+    }
+};
+
+void* getProc(const char* name) { return reinterpret_cast<void*>(OsMesa::loaded().getProcAddress(name)); }
 
 }
 
@@ -25,13 +57,14 @@ HeadlessPlatform::Context::Context() {
                                         OSMESA_CONTEXT_MINOR_VERSION,
                                         3,
                                         0};
-    context_ = OSMesaCreateContextAttribs(kAttributes.data(), nullptr);
-    if (context_ && OSMesaMakeCurrent(context_, &pixel_, GL_UNSIGNED_BYTE, 1, 1)) return;
-    if (context_) OSMesaDestroyContext(context_);
-    throw Failure{"OSMesa", "gives no OpenGL 3.3 core", "install libosmesa6 22.3 or later"};
+    const OsMesa& mesa = OsMesa::loaded();
+    context_ = mesa.createContext(kAttributes.data(), nullptr);
+    if (context_ && mesa.makeCurrent(context_, &pixel_, GL_UNSIGNED_BYTE, 1, 1)) return;
+    if (context_) mesa.destroyContext(context_);
+    throw Failure{"OSMesa", "gives no OpenGL 3.3 core", kRemedy};
 }
 
-HeadlessPlatform::Context::~Context() { OSMesaDestroyContext(context_); }
+HeadlessPlatform::Context::~Context() { OsMesa::loaded().destroyContext(context_); }
 
 HeadlessPlatform::HeadlessPlatform(int width, int height, float contentScale)
     : size_{width, height}, contentScale_(contentScale), gl_(getProc), ui_(gl_) {}
