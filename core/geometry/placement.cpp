@@ -13,7 +13,7 @@ DMat3 absolute(const Mat3& m) {
 double largestEntry(const DMat3& m) {
     double largest = 0;
     for (int column = 0; column < 3; ++column)
-        for (int row = 0; row < 3; ++row) largest = std::fmax(largest, std::fabs(m[column][row]));
+        for (int row = 0; row < 3; ++row) largest = std::max(largest, std::fabs(m[column][row]));
     return largest;
 }
 

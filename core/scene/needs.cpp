@@ -48,13 +48,17 @@ MaterialNeeds needsOf(const MaterialModel& model) {
 }
 
 SceneNeeds analyseNeeds(const Scene& scene) {
+    std::vector<MaterialNeeds> ofMaterial;
+    ofMaterial.reserve(scene.materials.size());
+    for (const Material& material : scene.materials) ofMaterial.push_back(needsOf(material.model));
+
     SceneNeeds needs;
     bool anyObject = false;
     bool shines = !scene.environment.black();
     for (const Object& object : scene.objects) {
         if (!object.visible) continue;
         anyObject = true;
-        const MaterialNeeds m = needsOf(scene.materials[static_cast<std::size_t>(object.material)].model);
+        const MaterialNeeds& m = ofMaterial[static_cast<std::size_t>(object.material)];
         needs.reflections |= m.reflects;
         needs.refractions |= m.transmits;
         needs.textures |= m.textured || hasVertexColors(scene, object);
