@@ -7,6 +7,8 @@
 namespace eyeray {
 namespace {
 
+constexpr std::size_t kMostChanged = 16;
+
 // By their bits: rays tell 0 from −0.
 bool same(const Affine& a, const Affine& b) {
     using Bits = std::array<std::uint32_t, sizeof(Affine) / sizeof(std::uint32_t)>;
@@ -49,6 +51,23 @@ bool same(const Instance<Index>& a, const Instance<Index>& b) {
 template <class Index>
 bool sameInstances(std::span<const Instance<Index>> a, std::span<const Instance<Index>> b) {
     return std::ranges::equal(a, b, [](const auto& x, const auto& y) { return same(x, y); });
+}
+
+std::optional<std::vector<Bounds>> changedBounds(const Accel& before, const Accel& after) {
+    return std::visit(
+        [&]<class Index>(const IndexedGeometry<Index>& old) -> std::optional<std::vector<Bounds>> {
+            const auto* const now = std::get_if<IndexedGeometry<Index>>(&after);
+            if (now == nullptr || old.instances.size() != now->instances.size()) return {};
+            std::vector<Bounds> changed;
+            for (std::size_t i = 0; i < old.instances.size(); ++i) {
+                if (same(old.instances[i], now->instances[i])) continue;
+                if (changed.size() >= 2 * kMostChanged) return {};
+                changed.push_back(boundsOf(old.instances[i]));
+                changed.push_back(boundsOf(now->instances[i]));
+            }
+            return changed;
+        },
+        before);
 }
 
 template bool sameInstances(std::span<const Instance<BruteForce>>, std::span<const Instance<BruteForce>>);

@@ -5,8 +5,10 @@
 #include <array>
 #include <memory>
 #include <optional>
+#include <span>
 #include <vector>
 
+#include "core/render/film.h"
 #include "core/render/render_settings.h"
 #include "core/transport/integrator.h"
 
@@ -18,10 +20,11 @@ namespace eyeray {
 class EyeHits {
 public:
     /// For a picture that is about to be traced: forgets all hits unless its eye rays are those of the
-    /// picture before, through the same accelerator.
-    void begin(const TraceContext&, const RenderSettings&, int tiles);
+    /// picture before. Where a few objects are elsewhere, it forgets those of the tiles that may show them,
+    /// now or before.
+    void begin(const TraceContext&, const RenderSettings&, const Film&);
 
-    /// Whether the picture before has left hits.
+    /// Whether the picture before has left hits of most tiles.
     bool known() const { return known_; }
 
     /// Lets a tile of the picture's first sample find or leave its hits. Thread-safe for different tiles, as
@@ -32,6 +35,7 @@ public:
     void takeBack(int index, const Tile&);
 
 private:
+    std::size_t keepTilesWithout(std::span<const Bounds> changed, const EyeRays::Frame&, const Film&);
     void allocate(std::size_t tiles);
 
     // The bits of the floats that tell eye rays of one picture from those of another: 0 and −0 differ.

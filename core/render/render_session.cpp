@@ -256,7 +256,7 @@ void RenderSession::run(const std::shared_ptr<Job>& job) {
         freeFilm(job->settings.width, job->settings.height, job->settings.trace.faults.has(Fault::EightBit));
     job->order = tilesFrom(*job->film, job->focus);
     job->tilesInAll = job->film->tiles();
-    eyeHits_.begin(*job->context, job->settings, job->film->tiles());
+    eyeHits_.begin(*job->context, job->settings, *job->film);
     const int step = coarseStep(job->settings);
     if (job->settings.coarse) traceCoarse(*job, step);
     {

@@ -96,8 +96,8 @@ Command shadingEdit(int number) {
     }
 }
 
-/// Edits of shading alone, each after a whole sample. `known`: the World shares the accelerator of the one
-/// before, so that its eye hits are known; else it is built anew.
+/// Edits of shading alone, each after a whole sample. `known`: seen from the same place, so that the eye hits
+/// are known; else from one that is hardly another.
 void shade(const std::string& scene, bool known) {
     Document document = openForever(scene);
     auto world = buildWorld(document.scene, document.build);
@@ -112,7 +112,8 @@ void shade(const std::string& scene, bool known) {
     std::vector<double> coarse, first;
     for (int i = 0; i < kShadingEdits; ++i) {
         document = apply(document, shadingEdit(i));
-        world = buildWorld(document.scene, document.build, known ? world.get() : nullptr);
+        if (!known) document = apply(document, Command::parse("orbit yaw=0.001 pitch=0"));
+        world = buildWorld(document.scene, document.build, world.get());
         const RenderStatus status = sample();
         coarse.push_back(status.secondsToCoarse * 1e3);
         first.push_back(status.secondsToFirstPass * 1e3);
