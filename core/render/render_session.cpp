@@ -13,7 +13,8 @@ namespace {
 using Clock = std::chrono::steady_clock;
 using Phase = RenderStatus::Phase;
 
-constexpr double kCoarseSeconds = 0.012; // what a coarse picture may take, to fit a frame with all else
+constexpr double kCoarseSeconds = 0.012;      // what a coarse picture may take, to fit a frame with all else
+constexpr double kLeastCoarseSeconds = 0.003; // after a build that fills the frame
 constexpr int kCoarsestStep = 32, kFinestStep = 4, kFirstStep = 16;
 constexpr int kErrorInterval = 8; // passes between looks at the error
 
@@ -257,7 +258,8 @@ void RenderSession::run(const std::shared_ptr<Job>& job) {
     job->order = tilesFrom(*job->film, job->focus);
     job->tilesInAll = job->film->tiles();
     eyeHits_.begin(*job->context, job->settings, *job->film);
-    const int step = coarseStep(job->settings);
+    const int step = coarseStep(*job);
+    traced_ = job->context->world;
     if (job->settings.coarse) traceCoarse(*job, step);
     {
         const std::scoped_lock lock(mutex_);
@@ -272,14 +274,18 @@ void RenderSession::run(const std::shared_ptr<Job>& job) {
         if (tracePass(*job, pass)) ++pass;
 }
 
-/// Block size of a coarse picture that takes no longer than kCoarseSeconds, by how long the last one took.
-int RenderSession::coarseStep(const RenderSettings& settings) const {
+/// Block size of a coarse picture that takes no longer than kCoarseSeconds, with the building of a new World,
+/// by how long the last one took.
+int RenderSession::coarseStep(const Job& job) const {
+    const auto& world = job.context->world;
+    const double built = world == traced_ ? 0 : world->buildSeconds;
+    const double most = std::max(kCoarseSeconds - built, kLeastCoarseSeconds);
     const double seconds =
         eyeHits_.known() ? secondsPerPixel_ : std::max(secondsPerPixel_, secondsPerNewPixel_);
     if (seconds <= 0) return kFirstStep;
-    const double all = seconds * settings.width * settings.height;
+    const double all = seconds * job.settings.width * job.settings.height;
     int step = kFinestStep;
-    while (step < kCoarsestStep && all / (step * step) > kCoarseSeconds) step *= 2;
+    while (step < kCoarsestStep && all / (step * step) > most) step *= 2;
     return step;
 }
 

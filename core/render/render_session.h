@@ -99,7 +99,7 @@ private:
     std::shared_ptr<Job> shownAt(int x, int y) const;
     void coordinate(const std::stop_token& end);
     void run(const std::shared_ptr<Job>&);
-    int coarseStep(const RenderSettings&) const;
+    int coarseStep(const Job&) const;
     void traceCoarse(Job&, int step);
     bool tracePass(Job&, int pass);
     bool waitWhileHeld(Job&);
@@ -111,6 +111,7 @@ private:
     DVec2 focus_{-1};
 
     std::vector<std::shared_ptr<Film>> films_; // of the coordinator alone
+    std::shared_ptr<const World> traced_;      // likewise: of the picture before
     EyeHits eyeHits_;                          // likewise, but for hits of tiles under way
     double secondsPerPixel_ = 0;               // likewise: of tracing, on all threads; as last measured
     double secondsPerNewPixel_ = 0;            // likewise, whose eye hits were not known

@@ -1,5 +1,6 @@
 #include "core/scene/world.h"
 
+#include <chrono>
 #include <type_traits>
 #include <unordered_map>
 
@@ -243,6 +244,7 @@ std::shared_ptr<const Accel> index(const Scene& scene, World& world, const Reuse
 
 std::shared_ptr<const World> build(const std::shared_ptr<const Scene>& shared, const BuildSettings& settings,
                                    const Reuse& reuse, const std::stop_token& stop) {
+    const auto start = std::chrono::steady_clock::now();
     const Scene& scene = *shared;
     auto world = std::make_shared<World>();
     world->scene = shared;
@@ -264,6 +266,7 @@ std::shared_ptr<const World> build(const std::shared_ptr<const Scene>& shared, c
     else
         world->accel = index<Bvh8>(scene, *world, reuse, stop);
     if (stop.stop_requested()) return nullptr;
+    world->buildSeconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     return world;
 }
 

@@ -73,7 +73,8 @@ struct World {
 
     AccelKind accelKind = AccelKind::Bvh8;            // which one Auto has become
     std::size_t primitives = 0, nodes = 0, bytes = 0; // of the accelerator
-    bool refitted = false; // its tree is that of a World before: the same hits by way of other nodes
+    bool refitted = false;   // its tree is that of a World before: the same hits by way of other nodes
+    double buildSeconds = 0; // what it took to prepare all this
 };
 
 /// Prepares a scene for tracing. Shares with `previous` the indices over meshes that it has, and all of its
