@@ -174,20 +174,34 @@ private:
                 const auto sameMedia = media == hn::Set(n, static_cast<std::int32_t>(number));
                 const auto alike =
                     hn::And(hn::And(there, hn::RebindMask(f, sameMedia)), isFront ? front : hn::Not(front));
-                const Interface interface =
-                    interfaceAt(world_,
-                                {.instance = id,
-                                 .solid = object.solid,
-                                 .front = isFront,
-                                 .ior = world_.materials[object.material].surface.ior},
-                                memory_.media.at(number));
-                const auto beyond = static_cast<std::int32_t>(memory_.media.numberOf(interface.beyond));
-                result.eta = hn::IfThenElse(alike, all(interface.eta), result.eta);
-                result.beyond = hn::IfThenElse(hn::RebindMask(n, alike), hn::Set(n, beyond), result.beyond);
+                const Crossing& crossing = crossingOf(id, isFront, number);
+                const auto beyond = hn::Set(n, static_cast<std::int32_t>(crossing.beyond));
+                result.eta = hn::IfThenElse(alike, all(crossing.eta), result.eta);
+                result.beyond = hn::IfThenElse(hn::RebindMask(n, alike), beyond, result.beyond);
                 there = hn::AndNot(alike, there);
             }
         });
         return result;
+    }
+
+    /// Interface of a side of an object, met in a medium.
+    struct Crossing {
+        std::uint32_t object = ~0U;
+        bool front = false;
+        std::uint32_t medium = 0, beyond = 0; // by number
+        float eta = 1;
+    };
+
+    const Crossing& crossingOf(std::uint32_t id, bool front, std::uint32_t medium) {
+        Crossing& known = crossings_[(2 * id + (front ? 1 : 0) + 8 * medium) % crossings_.size()];
+        if (known.object == id && known.front == front && known.medium == medium) return known;
+        const WorldObject& object = world_.objects[id];
+        const float ior = world_.materials[object.material].surface.ior;
+        const Interface interface =
+            interfaceAt(world_, {.instance = id, .solid = object.solid, .front = front, .ior = ior},
+                        memory_.media.at(medium));
+        known = {id, front, medium, memory_.media.numberOf(interface.beyond), interface.eta};
+        return known;
     }
 
     /// Rays of a batch that may go on.
@@ -230,6 +244,7 @@ private:
     GlassNeeds glass_;
     RayCounts& counts_;
     StreamMemory& memory_;
+    std::array<Crossing, 64> crossings_; // the last ones
     bool outgrown_ = false;
     // Two rays go on from a hit at most, so that a tree has less than 2^(depth + 1) of them.
     const bool mayOutgrow_ = context_.settings.maxDepth + 1 > std::countr_zero(unsigned{kMaxTreeNodes});

@@ -84,25 +84,43 @@ Vec3Lanes filteredStraight(const World& world, const IndexedGeometry<Index>& geo
     return orZero(hn::Not(asked), transmitted);
 }
 
+/// The rays that meet something opaque, and the others that meet glass.
+struct Blockers {
+    FloatMask byOpaque, byGlass;
+};
+
+template <class Index>
+HWY_INLINE Blockers blockersOf(const IndexedGeometry<Index>& geometry, const RayLanes& rays,
+                               FloatMask asked) {
+    const FloatTag f;
+    if constexpr (std::is_same_v<Index, BruteForce>) { // tests each shape once
+        const auto opaque = anyHits(geometry, rays, asked, RayMask::Opaque);
+        const auto others = hn::AndNot(opaque, asked);
+        if (hn::AllFalse(f, others)) return {opaque, others};
+        return {opaque, anyHits(geometry, rays, others, RayMask::Transparent)};
+    } else { // goes through the tree once for rays that meet nothing
+        const auto some = anyHits(geometry, rays, asked, RayMask::Objects);
+        if (hn::AllFalse(f, some)) return {some, some};
+        const auto opaque = anyHits(geometry, rays, some, RayMask::Opaque);
+        return {opaque, hn::AndNot(opaque, some)};
+    }
+}
+
 /// Share of a lamp's light that arrives along the `asked` rays, by the named policy for glass.
 template <class Index>
 Vec3Lanes visibility(const TraceContext& context, const IndexedGeometry<Index>& geometry,
                      const GlassNeeds& needs, const RayLanes& rays, FloatMask asked,
                      const MediumLanes& media) {
-    const FloatTag f;
     const GlassShadows policy = context.settings.glassShadows;
-    const auto blocked = anyHits(geometry, rays, asked, RayMask::Objects);
-    auto passes = hn::AndNot(blocked, asked);
-    const auto ones = [&] { return orZero(passes, all(Color(1))); };
-    if (!needs.any || policy == GlassShadows::AllBlock) return ones();
-    const auto byOpaque =
-        hn::AllFalse(f, blocked) ? blocked : anyHits(geometry, rays, blocked, RayMask::Opaque);
-    const auto byGlass = hn::AndNot(byOpaque, blocked);
-    if (policy == GlassShadows::OpaqueOnly) {
-        passes = hn::AndNot(byOpaque, asked);
-        return ones();
+    if (!needs.any || policy != GlassShadows::Straight) {
+        const bool opaqueOnly = needs.any && policy == GlassShadows::OpaqueOnly;
+        const RayMask blocking = opaqueOnly ? RayMask::Opaque : RayMask::Objects;
+        return orZero(hn::AndNot(anyHits(geometry, rays, asked, blocking), asked), all(Color(1)));
     }
-    std::uint32_t filtered = bitsOf(byGlass);
+    const Blockers blocked = blockersOf(geometry, rays, asked);
+    const auto passes = hn::AndNot(hn::Or(blocked.byOpaque, blocked.byGlass), asked);
+    const auto ones = [&] { return orZero(passes, all(Color(1))); };
+    std::uint32_t filtered = bitsOf(blocked.byGlass);
     const SpreadInt numbers = spread(media.numbers);
     if (needs.attenuates)
         eachLane(passes, [&](std::size_t lane) {
