@@ -280,7 +280,7 @@ TEST(EyeHits, GiveTheBitsOfNewPicturesWhileObjectsAreDraggedAllAroundTheEye) {
         std::uint64_t known = 0;
         for (int i = 0; i < 60; ++i) {
             for (int moved = random.below(3); moved >= 0; --moved) {
-                auto& place = at.scene.objects[static_cast<std::size_t>(2 + random.below(40))].transform[3];
+                auto& place = at.scene.objects[2 + static_cast<std::size_t>(random.below(40))].transform[3];
                 place += DVec4(random.inCube(1), 0);
             }
             at.start(session);
