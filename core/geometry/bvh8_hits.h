@@ -36,20 +36,20 @@ HWY_INLINE bool visitTriangles(const IndexedMesh<Bvh8>& mesh, std::uint32_t firs
 
 // Calls offer(hit) for hits at t in (tMin, limit) until it returns true; whether it did.
 template <Order kOrder, class Offer, class Log>
-bool visitMesh(const IndexedMesh<Bvh8>& mesh, const Ray& local, const float& limit, const Offer& offer,
-               Log log) {
+HWY_INLINE bool visitMesh(const IndexedMesh<Bvh8>& mesh, const Ray& local, const float& limit,
+                          const Offer& offer, Log log) {
     const RayShear shear(local);
-    const auto leaf = [&, log](std::uint32_t first, std::uint32_t count) {
+    const auto leaf = [&, log](std::uint32_t first, std::uint32_t count) __attribute__((always_inline)) {
         for (const std::uint32_t triangle : mesh.index.entries().subspan(first, count))
             log.triangle(triangle);
         return visitTriangles(mesh, first, count, shear, local.tMin, limit, offer);
     };
-    return traverse<kOrder>(mesh.index, local, limit, leaf, log);
+    return traverse<kOrder>(mesh.index, local, RaySlab::kGrowthOfTriangles, limit, leaf, log);
 }
 
 template <Order kOrder, class Offer, class Log>
-bool visitHits(const IndexedGeometry<Bvh8>& geometry, const Ray& ray, RayMask mask, const float& limit,
-               const Offer& offer, Log log) {
+HWY_INLINE bool visitHits(const IndexedGeometry<Bvh8>& geometry, const Ray& ray, RayMask mask,
+                          const float& limit, const Offer& offer, Log log) {
     const auto inInstance = [&, log](std::uint32_t id) {
         const Instance<Bvh8>& instance = geometry.instances[id];
         if (!sees(mask, instance.mask)) return false;
@@ -74,7 +74,7 @@ bool visitHits(const IndexedGeometry<Bvh8>& geometry, const Ray& ray, RayMask ma
             if (inInstance(geometry.top.entries()[slot])) return true;
         return false;
     };
-    return traverse<kOrder>(geometry.top, ray, limit, leaf, log);
+    return traverse<kOrder>(geometry.top, ray, RaySlab::kGrowth, limit, leaf, log);
 }
 
 template <class Log>

@@ -30,10 +30,9 @@ public:
         const Floats d;
         for (std::size_t axis = 0; axis < 3; ++axis) {
             near_[axis] = slab.near(axis);
-            originNear_[axis] = hn::Set(d, slab.originNear(axis));
-            originFar_[axis] = hn::Set(d, slab.originFar(axis));
             inverse_[axis] = hn::Set(d, slab.inverse(axis));
-            inverseFar_[axis] = hn::Set(d, slab.inverseFar(axis));
+            toNear_[axis] = hn::Set(d, slab.toNear(axis));
+            toFar_[axis] = hn::Set(d, slab.toFar(axis));
         }
     }
 
@@ -47,10 +46,8 @@ public:
             for (std::size_t axis = 0; axis < 3; ++axis) {
                 const auto& near = node.corners[near_[axis]][axis];
                 const auto& far = node.corners[1 - near_[axis]][axis];
-                in = hn::Max(in,
-                             hn::Mul(hn::Sub(hn::Load(d, &near[lane]), originNear_[axis]), inverse_[axis]));
-                out = hn::Min(out,
-                              hn::Mul(hn::Sub(hn::Load(d, &far[lane]), originFar_[axis]), inverseFar_[axis]));
+                in = hn::Max(hn::MulSub(hn::Load(d, &near[lane]), inverse_[axis], toNear_[axis]), in);
+                out = hn::Min(hn::MulSub(hn::Load(d, &far[lane]), inverse_[axis], toFar_[axis]), out);
             }
             hn::Store(in, d, &enters[lane]);
             std::uint8_t bits[8] = {};
@@ -62,7 +59,7 @@ public:
 
 private:
     using Lanes = hn::VFromD<Floats>;
-    Lanes tMin_, originNear_[3], originFar_[3], inverse_[3], inverseFar_[3];
+    Lanes tMin_, inverse_[3], toNear_[3], toFar_[3];
     std::size_t near_[3];
 };
 
@@ -98,9 +95,12 @@ inline std::uint32_t mayMeet(const TriangleBlock& block, bool doubleSided, const
         const auto negative = hn::Lt(hn::Min(u, hn::Min(v, w)), zero);
         const auto positive = hn::Gt(hn::Max(u, hn::Max(v, w)), zero);
         const auto beside = doubleSided ? hn::And(negative, positive) : negative;
+        const auto sign = hn::Set(d, std::copysign(1.0F, along));
         const auto first = hn::Min(az, hn::Min(bz, cz)), last = hn::Max(az, hn::Max(bz, cz));
-        const auto outside = along > 0 ? hn::Or(hn::Lt(last, zero), hn::Gt(first, hn::Set(d, farthest)))
-                                       : hn::Or(hn::Gt(first, zero), hn::Lt(last, hn::Set(d, -farthest)));
+        // How far ahead: not by a branch on the sign, for it would be taken at random.
+        const auto one = hn::Mul(first, sign), other = hn::Mul(last, sign);
+        const auto outside =
+            hn::Or(hn::Lt(hn::Max(one, other), zero), hn::Gt(hn::Min(one, other), hn::Set(d, farthest)));
         const auto missed = hn::Or(beside, outside);
         std::uint8_t bits[8] = {};
         hn::StoreMaskBits(d, hn::Not(missed), bits);
@@ -130,17 +130,18 @@ private:
 /// origin lies the surface that it leaves.
 enum class Order : std::uint8_t { Nearest, Any };
 
-/// Calls leaf(first slot, slots) for the leaves whose boxes the ray may meet at t in [tMin, limit], until it
-/// returns true; whether it did. Roughly from near to far, if the order is Nearest. `limit` may shrink
-/// meanwhile.
+/// Calls leaf(first slot, slots) for the leaves whose boxes, grown as by RaySlab, the ray may meet at t in
+/// [tMin, limit], until it returns true; whether it did. Roughly from near to far, if the order is Nearest.
+/// `limit` may shrink meanwhile.
 template <Order kOrder, class Leaf, class Log>
-bool traverse(const Bvh8& tree, const Ray& ray, const float& limit, const Leaf& leaf, Log log) {
+HWY_INLINE bool traverse(const Bvh8& tree, const Ray& ray, float growth, const float& limit, const Leaf& leaf,
+                         Log log) {
     if (tree.nodes().empty()) return false;
     constexpr std::size_t kMostPending = Bvh2::kMaxDepth * (Bvh8::kWidth - 1) + 1;
     std::array<PendingChild, kMostPending> stack; // the nearest on top
     std::size_t pending = 0;
     alignas(32) std::array<float, Bvh8::kWidth> enters;
-    const SlabLanes slab(RaySlab(ray, tree.bounds()));
+    const SlabLanes slab(RaySlab(ray, tree.bounds(), growth));
     const Bvh8::Node* const nodes = tree.nodes().data();
     const bool upward = ray.direction.x + ray.direction.y + ray.direction.z > 0;
     std::uint32_t child = 0;

@@ -1,6 +1,7 @@
 #pragma once
 // A ray, what it hits, and where that is.
 
+#include <algorithm>
 #include <cstdint>
 
 #include "core/base/math.h"
@@ -15,6 +16,14 @@ struct Ray {
 
     Vec3 at(float t) const { return origin + t * direction; }
 };
+
+/// The axis along which a direction is longest; of equal ones the last. Without branches, for they would be
+/// taken at random.
+inline std::size_t longestAxis(const Vec3& direction) {
+    const float x = std::fabs(direction.x), y = std::fabs(direction.y), z = std::fabs(direction.z);
+    const std::size_t yOverX = x > y ? 0 : 1, zOverBoth = std::max(x, y) > z ? 0 : 1;
+    return yOverX + zOverBoth * (2 - yOverX);
+}
 
 /// The least that a hit must carry; all else is derived from it.
 struct Hit {

@@ -17,17 +17,26 @@ namespace eyeray {
 /// that they hold whatever the leaf's own test finds in spite of its rounding.
 class RaySlab {
 public:
-    /// `world` is a box around all boxes that will be tested.
-    RaySlab(const Ray& ray, const Bounds& world) : tMin_(ray.tMin) {
-        const float growth = kGrowth * reach(ray.origin, world);
-        for (int axis = 0; axis < 3; ++axis) {
-            const auto i = static_cast<std::size_t>(axis);
-            inverse_[i] = finite(1.0F / ray.direction[axis]);
-            inverseFar_[i] = finite(inverse_[i] * kLater);
+    /// `world` is a box around all boxes that will be tested. `growth`: how far they grow on all sides, in
+    /// units of the way from the origin to their farthest side.
+    RaySlab(const Ray& ray, const Bounds& world, float growth = kGrowth) : tMin_(ray.tMin * kSooner) {
+        const float reach = reachOf(ray.origin, world);
+        const Vec3 inverse = 1.0F / ray.direction;
+        const float least =
+            std::min(std::fabs(inverse.x), std::min(std::fabs(inverse.y), std::fabs(inverse.z)));
+        const float steepest = kSteepest * least, before = kBefore * reach * least;
+        std::array<float, 3> behind;
+        behind.fill(kBehind * reach * least);
+        behind[longestAxis(ray.direction)] = 0;
+        for (std::size_t i = 0; i < 3; ++i) {
+            const int axis = static_cast<int>(i);
             near_[i] = std::bit_cast<std::uint32_t>(ray.direction[axis]) >> 31U;
-            const float outward = std::copysign(growth, ray.direction[axis]);
-            originNear_[i] = ray.origin[axis] + outward;
-            originFar_[i] = ray.origin[axis] - outward;
+            inverse_[i] = std::min(std::max(inverse[axis], -steepest), steepest);
+            const float origin = ray.origin[axis] * inverse_[i];
+            const float grown =
+                (growth * reach + kRounded * std::fabs(ray.origin[axis])) * std::fabs(inverse_[i]);
+            toNear_[i] = origin + (grown + before);
+            toFar_[i] = origin - (grown + behind[i]);
         }
     }
 
@@ -36,41 +45,50 @@ public:
     float enter(const std::array<std::array<float, 3>, 2>& corners, float limit) const {
         float enters = tMin_, leaves = limit;
         for (std::size_t i = 0; i < 3; ++i) {
-            const float t0 = (corners[near_[i]][i] - originNear_[i]) * inverse_[i];
-            const float t1 = (corners[1U - near_[i]][i] - originFar_[i]) * inverseFar_[i];
+            const float t0 = corners[near_[i]][i] * inverse_[i] - toNear_[i];
+            const float t1 = corners[1U - near_[i]][i] * inverse_[i] - toFar_[i];
             enters = t0 > enters ? t0 : enters;
             leaves = t1 < leaves ? t1 : leaves;
         }
         return enters <= leaves ? enters : kInfinity;
     }
 
-    // The parts of the test, for one that takes many boxes at once.
+    // The parts of the test, for one that takes many boxes at once: a side at x is met at inverse·x − toNear,
+    // or toFar, where these hold the origin.
     float tMin() const { return tMin_; }
     std::size_t near(std::size_t axis) const { return near_[axis]; }
-    float originNear(std::size_t axis) const { return originNear_[axis]; }
-    float originFar(std::size_t axis) const { return originFar_[axis]; }
     float inverse(std::size_t axis) const { return inverse_[axis]; }
-    /// A little more, for the sides where the ray leaves: so that rounding makes no box smaller.
-    float inverseFar(std::size_t axis) const { return inverseFar_[axis]; }
-    // Rounding of three operations on either side.
-    static constexpr float kLater = 1.0F + 2.0F * gammaBound(3);
-    // Stands for 1/0: so a ray in the plane of a face is at 0 there, not at 0·∞ = NaN.
-    static constexpr float kLargest = std::numeric_limits<float>::max();
-    // The shear of a triangle's vertices rounds by up to 4 units of 2⁻²⁴ of their distance, the ray's map to
-    // an instance by up to 12.
+    float toNear(std::size_t axis) const { return toNear_[axis]; }
+    float toFar(std::size_t axis) const { return toFar_[axis]; }
+
+    // A ray's map to an instance rounds its direction by up to 12 units of 2⁻²⁴ of the way; and what shapes
+    // take.
     static constexpr float kGrowth = 16 * 0x1p-24F;
+    // Of triangles: what keeps a ray in the plane of a box's side, which counts as one of slope 1/kSteepest.
+    static constexpr float kGrowthOfTriangles = 0x1p-32F;
+
+    // Of a test with (x − origin)·inverse instead: rounding of three operations on either side, and what
+    // stands for 1/0.
+    static constexpr float kLater = 1.0F + 2.0F * gammaBound(3);
+    static constexpr float kLargest = std::numeric_limits<float>::max();
 
 private:
-    // Without branches, as all that is done for each ray: the signs of directions come at random.
-    static float finite(float x) { return std::min(std::max(x, -kLargest), kLargest); }
+    static constexpr float kSteepest = 0x1p32F; // 1 / direction of any axis, by that of the longest
+    // The shear of a triangle's vertices rounds, beside the longest axis, by up to 4 units of 2⁻²⁴ of their
+    // distance along that axis times the slope of the ray. So boxes grow by the same t on either side.
+    // Where the ray enters them it may be more: rounding of t and of the test itself.
+    static constexpr float kBehind = 4.001F * 0x1p-24F, kBefore = 16 * 0x1p-24F;
+    // Rounding of toNear and toFar, and of a product, each one unit of the origin's coordinate.
+    static constexpr float kRounded = 3.001F * 0x1p-24F;
+    static constexpr float kSooner = 1 - 8 * 0x1p-24F;
 
-    static float reach(const Vec3& origin, const Bounds& world) {
+    static float reachOf(const Vec3& origin, const Bounds& world) {
         const Vec3 farthest = glm::max(world.hi - origin, origin - world.lo);
         return std::max(farthest.x, std::max(farthest.y, farthest.z));
     }
 
     float tMin_;
-    std::array<float, 3> originNear_, originFar_, inverse_, inverseFar_;
+    std::array<float, 3> inverse_, toNear_, toFar_;
     std::array<std::size_t, 3> near_; // which corner the ray meets first on each axis
 };
 

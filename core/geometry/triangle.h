@@ -25,10 +25,7 @@ struct RayShear {
     explicit RayShear(const Ray& ray) {
         const float* const from = glm::value_ptr(ray.origin);
         const float* const along = glm::value_ptr(ray.direction);
-        const Vec3 size = glm::abs(ray.direction);
-        const bool x = size.x > size.y, ofXY = (x ? size.x : size.y) > size.z;
-        // Without branches, for they would be taken at random.
-        const std::size_t longest = ofXY ? (x ? 0U : 1U) : 2U;
+        const std::size_t longest = longestAxis(ray.direction);
         const std::size_t backward = std::bit_cast<std::uint32_t>(along[longest]) >> 31U; // keeps the winding
         axes = {kAxes[longest + 1 + backward], kAxes[longest + 2 - backward], longest};
         origin = {from[axes[0]], from[axes[1]], from[axes[2]]};
