@@ -9,17 +9,11 @@
 
 #include "core/geometry/accel.h"
 #include "core/geometry/bvh8_packet.h"
+#include "core/geometry/hit_lanes.h"
 #include "core/geometry/ray_lanes.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace eyeray::HWY_NAMESPACE {
-
-/// Calls each(lane) for the lanes of a mask.
-template <class Each>
-HWY_INLINE void eachLane(FloatMask mask, const Each& each) {
-    for (std::uint32_t bits = bitsOf(mask); bits != 0; bits &= bits - 1)
-        each(static_cast<std::size_t>(std::countr_zero(bits)));
-}
 
 template <class Index>
 HWY_INLINE ShapeHitLanes intersectShape(const Instance<Index>& instance, RayLanes rays, FloatLanes limit) {
@@ -33,57 +27,6 @@ HWY_INLINE ShapeHitLanes intersectShape(const Instance<Index>& instance, RayLane
     return intersect(*std::get_if<Cylinder>(&shape), rays);
 }
 
-/// Hits in lanes: t is infinite where there is none.
-struct HitLanes {
-    FloatLanes t = all(kInfinity), u = all(0.0F), v = all(0.0F); // as in Hit
-    IntLanes primitive = hn::Zero(IntTag()), instance = hn::Zero(IntTag());
-
-    FloatMask met() const { return t < all(kInfinity); }
-};
-
-struct HitSpread {
-    Spread t, u, v;
-    SpreadInt primitive, instance;
-
-    explicit HitSpread(const HitLanes& hits)
-        : t(spread(hits.t)), u(spread(hits.u)), v(spread(hits.v)), primitive(spread(hits.primitive)),
-          instance(spread(hits.instance)) {}
-    Hit at(std::size_t lane) const {
-        return {t.lane[lane], u.lane[lane], v.lane[lane], primitive.at(lane), instance.at(lane)};
-    }
-    void set(std::size_t lane, const Hit& hit) {
-        t.lane[lane] = hit.t, u.lane[lane] = hit.u, v.lane[lane] = hit.v;
-        primitive.set(lane, hit.primitive), instance.set(lane, hit.instance);
-    }
-    HitLanes gathered() const {
-        namespace here = eyeray::HWY_NAMESPACE;
-        return {here::gathered(t), here::gathered(u), here::gathered(v), here::gathered(primitive),
-                here::gathered(instance)};
-    }
-};
-
-/// The nearest of the hits that come, as NearestHit.
-struct NearestLanes {
-    FloatLanes limit;
-    HitLanes hit;
-
-    HWY_INLINE void offer(const ShapeHitLanes& other, std::uint32_t id) {
-        const IntTag i;
-        const auto ids = hn::Set(i, static_cast<std::int32_t>(id));
-        const auto lower =
-            hn::Or(ids < hit.instance, hn::And(ids == hit.instance, other.face < hit.primitive));
-        const auto tie =
-            hn::And(hn::And(other.t == hit.t, other.t < all(kInfinity)), hn::RebindMask(FloatTag(), lower));
-        const auto better = hn::Or(other.t < hit.t, tie);
-        const auto betterInt = hn::RebindMask(i, better);
-        hit.t = hn::IfThenElse(better, other.t, hit.t);
-        hit.u = hn::IfThenElse(better, other.u, hit.u);
-        hit.primitive = hn::IfThenElse(betterInt, other.face, hit.primitive);
-        hit.instance = hn::IfThenElse(betterInt, ids, hit.instance);
-        limit = hn::IfThenElse(better, nextAbove(other.t), limit);
-    }
-};
-
 /// Instances in the order in which they are tested.
 inline std::array<std::span<const std::uint32_t>, 2>
 instancesOf(const IndexedGeometry<BruteForce>& geometry) {
@@ -96,7 +39,7 @@ HWY_INLINE HitLanes closestHits(const IndexedGeometry<Index>& geometry, const Ra
                                 RayMask mask) {
     if constexpr (std::is_same_v<Index, BruteForce>) {
         if (geometry.shapesOnly) {
-            NearestLanes nearest{.limit = rays.tMax, .hit = {}};
+            NearestLanes nearest(rays.tMax);
             for (const auto ids : instancesOf(geometry))
                 for (const std::uint32_t id : ids)
                     if (const auto& instance = geometry.instances[id]; sees(mask, instance.mask))
@@ -104,16 +47,12 @@ HWY_INLINE HitLanes closestHits(const IndexedGeometry<Index>& geometry, const Ra
             return nearest.hit;
         }
     }
-    HitSpread hits{HitLanes{}};
     if constexpr (std::is_same_v<Index, Bvh8>) {
-        Packet<false> packet(geometry, rays, asked, mask);
-        if (packet.trace()) {
-            eachLane(asked, [&](std::size_t lane) {
-                if (const auto hit = packet.hit(lane)) hits.set(lane, *hit);
-            });
-            return hits.gathered();
-        }
+        PacketRays packet;
+        packet.add(rays, bitsOf(asked));
+        return Packet(geometry, packet, mask).hits(0);
     }
+    HitSpread hits{HitLanes{}};
     const RaySpread single(rays);
     eachLane(asked, [&](std::size_t lane) {
         if (const auto hit = closestHit(geometry, single.at(lane), mask)) hits.set(lane, *hit);
@@ -138,10 +77,6 @@ HWY_INLINE FloatMask anyHits(const IndexedGeometry<Index>& geometry, const RayLa
                 }
             return hn::And(hit, asked);
         }
-    }
-    if constexpr (std::is_same_v<Index, Bvh8>) {
-        Packet<true> packet(geometry, rays, asked, mask);
-        if (packet.trace()) return hn::AndNot(maskOf(packet.open()), asked);
     }
     const RaySpread single(rays);
     std::uint32_t hit = 0;

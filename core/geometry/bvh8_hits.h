@@ -24,7 +24,7 @@ HWY_INLINE bool visitTriangles(const IndexedMesh<Bvh8>& mesh, std::uint32_t firs
     std::uint32_t lanes = mayMeet(block, doubleSided, shear, limit) & ((1U << count) - 1U);
     for (; lanes != 0; lanes &= lanes - 1) {
         const auto lane = static_cast<std::uint32_t>(std::countr_zero(lanes));
-        const TriangleCorners corners = block.turned(lane, shear);
+        const TriangleCorners corners = block.turned(lane, shear.axes);
         auto hit = detail::finishTriangle(corners, {shear(corners[0]), shear(corners[1]), shear(corners[2])},
                                           doubleSided, shear, tMin, limit);
         if (!hit) continue;

@@ -1,8 +1,6 @@
-// Some rays that run close together, taken through Bvh8 as one: boxes are tested by
-// intervals of the rays' origins and of the inverses of their directions. S. Boulos, I. Wald, P. Shirley
-// 2006, "Geometric and Arithmetic Culling Methods for Entire Ray Packets", University of Utah UUCS-06-010.
-// What the intervals leave is tested ray by ray as ever, so the hits are those of single rays. Compiled once
-// for each instruction set, as core/base/lanes.h.
+// Rays that run close together, taken through Bvh8 as one packet: boxes and triangles are ruled out by
+// intervals that hold all rays, then for the rays of a register at once. Hits are those of single rays, bit
+// for bit. Compiled once for each instruction set, as core/base/lanes.h.
 #if defined(EYERAY_BVH8_PACKET_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef EYERAY_BVH8_PACKET_H
 #undef EYERAY_BVH8_PACKET_H
@@ -11,131 +9,30 @@
 #endif
 
 #include "core/geometry/bvh8_hits.h"
-#include "core/geometry/ray_lanes.h"
+#include "core/geometry/hit_lanes.h"
+#include "core/geometry/packet_slab.h"
+#include "core/geometry/packet_triangles.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace eyeray::HWY_NAMESPACE {
 
-/// The slabs of several rays (RaySlab), and the intervals that hold them.
-class PacketSlab {
-public:
-    /// Of the rays whose bit is set in `asked`, one at least.
-    PacketSlab(const RayLanes& rays, std::uint32_t asked, const Bounds& world) {
-        const FloatMask there = maskOf(asked);
-        const auto first = static_cast<std::size_t>(std::countr_zero(asked));
-        const auto filled = [&](FloatLanes v)
-                                HWY_ATTR { return hn::IfThenElse(there, v, all(hn::ExtractLane(v, first))); };
-        const Vec3Lanes origin{filled(rays.origin.x), filled(rays.origin.y), filled(rays.origin.z)};
-        const Vec3Lanes direction{filled(rays.direction.x), filled(rays.direction.y),
-                                  filled(rays.direction.z)};
-        coherent_ = closeTogether(origin, direction, world);
-        if (!coherent_) return;
-        tMin_ = lowest(filled(rays.tMin));
-        const auto reach =
-            maxComponent(Vec3Lanes{hn::Max(all(world.hi.x) - origin.x, origin.x - all(world.lo.x)),
-                                   hn::Max(all(world.hi.y) - origin.y, origin.y - all(world.lo.y)),
-                                   hn::Max(all(world.hi.z) - origin.z, origin.z - all(world.lo.z))});
-        const auto growth = all(RaySlab::kGrowth) * reach;
-        coherent_ = axes_[0].set(origin.x, direction.x, growth) &&
-                    axes_[1].set(origin.y, direction.y, growth) &&
-                    axes_[2].set(origin.z, direction.z, growth);
+/// Of some rows.
+HWY_INLINE float largest(const OfRows& values, Rows rows) {
+    const Floats d;
+    auto most = hn::Set(d, -kInfinity);
+    for (std::size_t first = 0; first < kMostRows; first += hn::Lanes(d)) {
+        const auto row = hn::Add(hn::Iota(d, 0), hn::Set(d, static_cast<float>(first)));
+        const auto asked = hn::And(hn::Ge(row, hn::Set(d, static_cast<float>(rows.first))),
+                                   hn::Lt(row, hn::Set(d, static_cast<float>(rows.end))));
+        most = hn::IfThenElse(asked, hn::Max(most, hn::Load(d, &values[first])), most);
     }
+    return hn::GetLane(hn::MaxOfLanes(d, most));
+}
 
-    /// Whether the rays run close together and to the same side along each axis; else the tests below are of
-    /// no use.
-    bool coherent() const { return coherent_; }
-
-    /// Which children of a node any ray may meet before `limit`, a bit each, and where the first one enters
-    /// them at the earliest.
-    std::uint32_t enterChildren(const Bvh8::Node& node, float limit,
-                                std::array<float, Bvh8::kWidth>& enters) const {
-        const Floats d;
-        std::uint32_t met = 0;
-        for (std::size_t lane = 0; lane < Bvh8::kWidth; lane += hn::Lanes(d)) {
-            auto in = hn::Set(d, tMin_), out = hn::Set(d, limit);
-            for (std::size_t i = 0; i < 3; ++i) {
-                const Axis& axis = axes_[i];
-                const auto low = hn::Set(d, axis.inverseLow), high = hn::Set(d, axis.inverseHigh);
-                const auto toNear =
-                    hn::Sub(hn::Load(d, &node.corners[axis.near][i][lane]), hn::Set(d, axis.farthestOrigin));
-                const auto toFar = hn::Sub(hn::Load(d, &node.corners[1 - axis.near][i][lane]),
-                                           hn::Set(d, axis.hindmostOrigin));
-                in = hn::Max(in, hn::Min(hn::Mul(toNear, low), hn::Mul(toNear, high)));
-                const auto leaves = hn::Max(hn::Mul(toFar, low), hn::Mul(toFar, high));
-                out = hn::Min(out, hn::Mul(leaves, hn::Set(d, RaySlab::kLater)));
-            }
-            hn::Store(in, d, &enters[lane]);
-            std::uint8_t bits[8] = {};
-            hn::StoreMaskBits(d, hn::Le(in, out), bits);
-            met |= static_cast<std::uint32_t>(bits[0]) << lane;
-        }
-        return met;
-    }
-
-    /// Which of the rays may meet this child of a node before their own limits, a bit each.
-    std::uint32_t enter(const Bvh8::Node& node, std::size_t child, FloatLanes limits) const {
-        auto in = all(tMin_), out = limits;
-        for (std::size_t i = 0; i < 3; ++i) {
-            const Axis& axis = axes_[i];
-            const auto inverse = gathered(axis.inverse);
-            const auto near = all(node.corners[axis.near][i][child]);
-            const auto far = all(node.corners[1 - axis.near][i][child]);
-            in = hn::Max(in, (near - gathered(axis.originNear)) * inverse);
-            out = hn::Min(out, (far - gathered(axis.originFar)) * inverse * all(RaySlab::kLater));
-        }
-        return bitsOf(in <= out);
-    }
-
-private:
-    struct Axis {
-        Spread originNear, originFar, inverse;
-        std::size_t near = 0;                         // which corner the rays meet first
-        float farthestOrigin = 0, hindmostOrigin = 0; // along the rays
-        float inverseLow = 0, inverseHigh = 0;
-
-        /// As the constructor of RaySlab; false if the rays do not all run to the same side.
-        bool set(FloatLanes origin, FloatLanes direction, FloatLanes growth) {
-            const auto largest = all(RaySlab::kLargest);
-            const auto inverses = hn::Min(hn::Max(all(1.0F) / direction, hn::Neg(largest)), largest);
-            const std::uint32_t backward = bitsOf(inverses < hn::Zero(FloatTag()));
-            near = backward == 0 ? 0 : 1;
-            const auto outward = near == 0 ? growth : hn::Neg(growth);
-            const auto nears = origin + outward, fars = origin - outward;
-            inverse = spread(inverses), originNear = spread(nears), originFar = spread(fars);
-            inverseLow = lowest(inverses), inverseHigh = highest(inverses);
-            farthestOrigin = near == 0 ? highest(nears) : lowest(nears);
-            hindmostOrigin = near == 0 ? lowest(fars) : highest(fars);
-            return backward == 0 || backward == (1U << kLanes) - 1;
-        }
-    };
-
-    static float lowest(FloatLanes v) { return hn::GetLane(hn::MinOfLanes(FloatTag(), v)); }
-    static float highest(FloatLanes v) { return hn::GetLane(hn::MaxOfLanes(FloatTag(), v)); }
-    static float widest(const Vec3Lanes& v) {
-        return std::max({highest(v.x) - lowest(v.x), highest(v.y) - lowest(v.y), highest(v.z) - lowest(v.z)});
-    }
-
-    static bool closeTogether(const Vec3Lanes& origin, const Vec3Lanes& direction, const Bounds& world) {
-        // Wider packets meet so many boxes that single rays are faster: measured on reflections in knot and
-        // flake.
-        constexpr float kWidest = 0.03F;
-        if (world.empty()) return true;
-        return widest(direction) <= kWidest * highest(maxComponent(abs(direction))) &&
-               widest(origin) <= kWidest * eyeray::maxComponent(world.hi - world.lo);
-    }
-
-    std::array<Axis, 3> axes_;
-    float tMin_ = 0;
-    bool coherent_ = true;
-};
-
-/// Calls leaf(first slot, slots, rays that may meet its box) for leaves that the rays may meet before
-/// `limits`, roughly from near to far, until it returns true. `limits` and `farthest`, the largest of them,
-/// may shrink meanwhile.
+/// Calls leaf(first slot, slots) for leaves that rays may meet before the largest of their rows' limits,
+/// roughly from near to far. The limits may shrink meanwhile.
 template <class Leaf>
-void traverse(const Bvh8& tree, const PacketSlab& slab, const Spread& limits, const float& farthest,
-              const Leaf& leaf) {
-    if (tree.nodes().empty()) return;
+void traverse(const Bvh8& tree, const PacketSlab& slab, const OfRows& limits, Rows rows, const Leaf& leaf) {
     struct Pending {
         float enters;
         std::uint32_t node, slot; // the child in this slot of the node
@@ -144,9 +41,10 @@ void traverse(const Bvh8& tree, const PacketSlab& slab, const Spread& limits, co
     std::array<Pending, kMostPending> stack; // the nearest on top
     std::size_t pending = 0;
     alignas(32) std::array<float, Bvh8::kWidth> enters;
+    float limit = largest(limits, rows);
     const auto open = [&](std::uint32_t id) HWY_ATTR {
         const std::size_t bottom = pending;
-        std::uint32_t met = slab.enterChildren(tree.nodes()[id], farthest, enters);
+        std::uint32_t met = slab.enterChildren(tree.nodes()[id], limit, enters);
         for (; met != 0; met &= met - 1) {
             const auto slot = static_cast<std::uint32_t>(std::countr_zero(met));
             std::size_t place = pending++;
@@ -158,7 +56,7 @@ void traverse(const Bvh8& tree, const PacketSlab& slab, const Spread& limits, co
     open(0);
     while (pending > 0) {
         const Pending next = stack[--pending];
-        if (next.enters > farthest) continue;
+        if (next.enters > limit) continue;
         const Bvh8::Node& node = tree.nodes()[next.node];
         const std::uint32_t child = node.child[next.slot];
         if (!Bvh8::isLeaf(child)) {
@@ -166,120 +64,250 @@ void traverse(const Bvh8& tree, const PacketSlab& slab, const Spread& limits, co
             continue;
         }
         const auto [first, count] = Bvh8::leafOf(child);
-        const std::uint32_t rays = slab.enter(node, next.slot, gathered(limits));
-        if (rays != 0 && leaf(first, count, rays)) return;
+        leaf(first, count);
+        limit = largest(limits, rows);
     }
 }
 
-/// One question of several rays to a scene: what they hit closest, or whether they hit anything.
-template <bool kAny>
+/// What the rays of a packet hit closest.
 class Packet {
 public:
-    Packet(const IndexedGeometry<Bvh8>& geometry, const RayLanes& rays, FloatMask asked, RayMask mask)
-        : geometry_(geometry), rays_(rays), mask_(mask), open_(bitsOf(asked)), limits_(spread(rays.tMax)) {
-        const RaySpread single(rays);
-        for (std::size_t lane = 0; lane < kLanes; ++lane) nearest_[lane].emplace(single.at(lane));
-        limit();
+    Packet(const IndexedGeometry<Bvh8>& geometry, const PacketRays& rays, RayMask mask)
+        : geometry_(geometry), rays_(rays), mask_(mask) {
+        limits_.fill(-kInfinity);
+        for (std::size_t row = 0; row < rays.count; ++row) {
+            nearest_[row].limit = rays.rows[row].tMax;
+            shrink(row);
+        }
+        ask({0, rays.count});
     }
 
-    /// False, with nothing found, if the rays do not run close together.
-    bool trace() {
-        const PacketSlab slab(rays_, open_, geometry_.top.bounds());
-        if (!slab.coherent()) return false;
-        for (const std::uint32_t id : geometry_.always) inInstance(id, open_);
-        if (open_ == 0) return true;
-        const auto leaf = [&](std::uint32_t first, std::uint32_t count, std::uint32_t rays) HWY_ATTR {
+    const HitLanes& hits(std::size_t row) const { return nearest_[row].hit; }
+
+private:
+    void ask(Rows rows) {
+        if (geometry_.top.nodes().empty()) return askAlways(rows);
+        const PacketSlab slab(rays_, rows, geometry_.top.bounds());
+        if (!slab.coherent()) {
+            if (rows.count() == 1) return singly(rows.first);
+            for (const Rows half : rows.halves()) ask(half);
+            return;
+        }
+        askAlways(rows);
+        const auto leaf = [&](std::uint32_t first, std::uint32_t count) HWY_ATTR {
             for (std::uint32_t slot = first; slot < first + count; ++slot)
-                inInstance(geometry_.top.entries()[slot], rays & open_);
-            return open_ == 0;
+                inInstance(geometry_.top.entries()[slot], rows);
         };
-        traverse(geometry_.top, slab, limits_, farthest_, leaf);
+        traverse(geometry_.top, slab, limits_, rows, leaf);
+    }
+
+    void askAlways(Rows rows) {
+        for (const std::uint32_t id : geometry_.always) inInstance(id, rows);
+    }
+
+    void singly(std::size_t row) {
+        const RaySpread single(rays_.rows[row]);
+        eachLane(maskOf(rays_.asked[row]), [&](std::size_t lane) {
+            if (const auto hit = closestHit(geometry_, single.at(lane), mask_)) offer(row, lane, *hit);
+        });
+    }
+
+    void inInstance(std::uint32_t id, Rows rows) {
+        const Instance<Bvh8>& instance = geometry_.instances[id];
+        if (!sees(mask_, instance.mask)) return;
+        PacketRays local;
+        for (std::size_t row = rows.first; row < rows.end; ++row) {
+            local.asked[row] = rays_.asked[row];
+            local.rows[row] = toObject(instance.placement, rays_.rows[row]);
+            local.rows[row].tMax = nearest_[row].limit;
+        }
+        if (const Shape* shape = std::get_if<Shape>(&instance.geometry))
+            inShape(*shape, id, local, rows);
+        else
+            inMesh(**std::get_if<1>(&instance.geometry), id, local, rows);
+    }
+
+    void inShape(const Shape& shape, std::uint32_t id, const PacketRays& local, Rows rows) {
+        for (std::size_t row = rows.first; row < rows.end; ++row) {
+            const ShapeHitLanes hits =
+                std::visit([&](const auto& s) HWY_ATTR { return intersect(s, local.rows[row]); }, shape);
+            const auto t = hn::IfThenElse(maskOf(local.asked[row]), hits.t, all(kInfinity));
+            if (hn::AllFalse(FloatTag(), t < all(kInfinity))) continue;
+            const auto ids = hn::Set(IntTag(), static_cast<std::int32_t>(id));
+            nearest_[row].offer({t, hits.u, all(0.0F), hits.face, ids});
+            shrink(row);
+        }
+    }
+
+    void inMesh(const IndexedMesh<Bvh8>& mesh, std::uint32_t id, const PacketRays& local, Rows rows) {
+        const PacketSlab slab(local, rows, mesh.index.bounds());
+        if (slab.coherent() && (slab.oneOrigin() ? throughTree<true>(mesh, id, local, rows, slab)
+                                                 : throughTree<false>(mesh, id, local, rows, slab)))
+            return;
+        if (rows.count() == 1)
+            return singly(mesh, id, local.rows[rows.first], rows.first, local.asked[rows.first]);
+        for (const Rows half : rows.halves()) inMesh(mesh, id, local, half);
+    }
+
+    /// False, with nothing done, if the rays do not run along the same axis.
+    template <bool kOneOrigin>
+    bool throughTree(const IndexedMesh<Bvh8>& mesh, std::uint32_t id, const PacketRays& local, Rows rows,
+                     const PacketSlab& slab) {
+        const PacketShear<kOneOrigin> shear(local, rows);
+        if (!shear.aligned()) return false;
+        Unfinished unfinished[kMostRows];
+        const auto leaf = [&](std::uint32_t first, std::uint32_t count) HWY_ATTR {
+            const TriangleBlock& block = mesh.triangles.block(first);
+            std::uint32_t triangles = shear.mayMeet(block, largest(limits_, rows)) & ((1U << count) - 1U);
+            for (; triangles != 0; triangles &= triangles - 1) {
+                const auto lane = static_cast<std::uint32_t>(std::countr_zero(triangles));
+                const Candidate triangle{
+                    mesh, id, first + lane, {block.turned(lane, shear.axes()), shear.origin()}};
+                std::uint32_t here = rows.bits();
+                if (rows.count() > 1) here = shear.rowsThatMayMeet(triangle.turned, limits_);
+                for (; here != 0; here &= here - 1) {
+                    const auto row = static_cast<std::size_t>(std::countr_zero(here));
+                    meet(triangle, shear, row, local, unfinished[row]);
+                }
+            }
+        };
+        traverse(mesh.index, slab, limits_, rows, leaf);
+        for (std::size_t row = rows.first; row < rows.end; ++row)
+            finish(mesh, shear.row(row), shear.axes(), row, unfinished[row]);
         return true;
     }
 
-    std::optional<Hit> hit(std::size_t lane) const { return nearest_[lane]->get(); }
-    /// The rays that have hit nothing, a bit each.
-    std::uint32_t open() const { return open_; }
+    struct Candidate {
+        const IndexedMesh<Bvh8>& mesh;
+        std::uint32_t instance, slot;
+        TurnedTriangle turned;
+    };
 
-private:
-    void inInstance(std::uint32_t id, std::uint32_t rays) {
-        const Instance<Bvh8>& instance = geometry_.instances[id];
-        if (rays == 0 || !sees(mask_, instance.mask)) return;
-        RayLanes local = toObject(instance.placement, rays_);
-        local.tMax = gathered(limits_);
-        if (const Shape* shape = std::get_if<Shape>(&instance.geometry))
-            inShape(*shape, id, local, rays);
-        else
-            inMesh(**std::get_if<1>(&instance.geometry), id, local, rays);
-        limit();
-    }
+    /// Hits whose u and v are still to be found.
+    struct Unfinished {
+        std::uint32_t rays = 0; // a bit each
+        IntLanes slots;         // of their triangles
 
-    void inShape(const Shape& shape, std::uint32_t id, const RayLanes& local, std::uint32_t rays) {
-        const ShapeHitLanes hits =
-            std::visit([&](const auto& s) HWY_ATTR { return intersect(s, local); }, shape);
-        const Spread t = spread(hits.t), u = spread(hits.u);
-        const SpreadInt face = spread(hits.face);
-        for (std::uint32_t bits = rays & bitsOf(hits.t < all(kInfinity)); bits != 0; bits &= bits - 1) {
-            const auto lane = static_cast<std::size_t>(std::countr_zero(bits));
-            offer(lane, {t.lane[lane], u.lane[lane], 0, face.at(lane), id});
+        Unfinished() : slots(hn::Zero(IntTag())) {}
+    };
+
+    template <bool kOneOrigin>
+    void meet(const Candidate& triangle, const PacketShear<kOneOrigin>& shear, std::size_t row,
+              const PacketRays& local, Unfinished& unfinished) {
+        const FloatTag f;
+        const TriangleLanes at = shear.test(row, triangle.turned, triangle.mesh.mesh->doubleSided);
+        const auto open =
+            hn::And(maskOf(local.asked[row]), hn::And(at.open, at.soonest < nearest_[row].limit));
+        if (hn::AllFalse(f, open)) return;
+        const auto certain = hn::And(open, at.certain);
+        if (!hn::AllFalse(f, certain)) {
+            const FloatLanes t = shear.meetPlane(row, triangle.turned, at);
+            const auto met = hn::And(certain, hn::And(t > local.rows[row].tMin, t < nearest_[row].limit));
+            take(triangle, row, hn::IfThenElse(met, t, all(kInfinity)), unfinished);
         }
+        const auto unclear = hn::AndNot(at.certain, open);
+        if (!hn::AllFalse(f, unclear)) meetSingly(triangle, row, unclear, local, unfinished);
     }
 
-    void inMesh(const IndexedMesh<Bvh8>& mesh, std::uint32_t id, const RayLanes& local, std::uint32_t rays) {
+    void take(const Candidate& triangle, std::size_t row, FloatLanes t, Unfinished& unfinished) {
+        const IntTag n;
+        const HitLanes hits{
+            t, all(0.0F), all(0.0F),
+            hn::Set(n, static_cast<std::int32_t>(triangle.mesh.index.entries()[triangle.slot])),
+            hn::Set(n, static_cast<std::int32_t>(triangle.instance))};
+        const FloatMask better = nearest_[row].offer(hits);
+        const auto slot = hn::Set(n, static_cast<std::int32_t>(triangle.slot));
+        unfinished.slots = hn::IfThenElse(hn::RebindMask(n, better), slot, unfinished.slots);
+        unfinished.rays |= bitsOf(better);
+        shrink(row);
+    }
+
+    /// Rays through an edge or a corner, where areas may be zero.
+    HWY_NOINLINE void meetSingly(const Candidate& triangle, std::size_t row, FloatMask unclear,
+                                 const PacketRays& local, Unfinished& unfinished) {
+        const RaySpread single(local.rows[row]);
+        eachLane(unclear, [&](std::size_t lane) {
+            const RayShear shear(single.at(lane));
+            const float limit = spread(nearest_[row].limit).lane[lane];
+            const TriangleCorners& corners = triangle.turned.corners;
+            auto hit =
+                detail::finishTriangle(corners, {shear(corners[0]), shear(corners[1]), shear(corners[2])},
+                                       triangle.mesh.mesh->doubleSided, shear, single.tMin.lane[lane], limit);
+            if (!hit) return;
+            hit->primitive = triangle.mesh.index.entries()[triangle.slot], hit->instance = triangle.instance;
+            unfinished.rays &= ~offer(row, lane, *hit);
+        });
+    }
+
+    /// u and v of all hits of a row at once, as detail::finishTriangle.
+    void finish(const IndexedMesh<Bvh8>& mesh, const ShearLanes& shear,
+                const std::array<std::size_t, 3>& axes, std::size_t row, const Unfinished& unfinished) {
+        if (unfinished.rays == 0) return;
+        const SpreadInt slots = spread(unfinished.slots);
+        alignas(64) float corners[3][3][kLanes];
+        for (std::size_t lane = 0; lane < kLanes; ++lane) {
+            const std::uint32_t slot = slots.at(lane);
+            const TriangleCorners turned = mesh.triangles.block(slot).turned(slot % Bvh8::kWidth, axes);
+            for (std::size_t corner = 0; corner < 3; ++corner)
+                for (std::size_t axis = 0; axis < 3; ++axis)
+                    corners[corner][axis][lane] = turned[corner][axis];
+        }
+        const auto sheared = [&](std::size_t corner) HWY_ATTR {
+            const auto from = [&](std::size_t axis, FloatLanes origin)
+                                  HWY_ATTR { return hn::Load(FloatTag(), corners[corner][axis]) - origin; };
+            const auto z = from(2, shear.origin.z);
+            return std::pair(widen(from(0, shear.origin.x) - shear.sx * z),
+                             widen(from(1, shear.origin.y) - shear.sy * z));
+        };
+        const auto edge = [](const auto& p, const auto& q)
+                              HWY_ATTR { return p.first * q.second - p.second * q.first; };
+        const auto a = sheared(0), b = sheared(1), c = sheared(2);
+        const auto u = edge(c, b), v = edge(a, c), w = edge(b, a);
+        const auto share = all(1.0) / (u + v + w);
+        const auto rays = maskOf(unfinished.rays);
+        HitLanes& hit = nearest_[row].hit;
+        hit.u = hn::IfThenElse(rays, narrow(v * share), hit.u);
+        hit.v = hn::IfThenElse(rays, narrow(w * share), hit.v);
+    }
+
+    void singly(const IndexedMesh<Bvh8>& mesh, std::uint32_t id, const RayLanes& local, std::size_t row,
+                std::uint32_t asked) {
         const RaySpread single(local);
-        const PacketSlab slab(local, rays, mesh.index.bounds());
-        const auto offerOf = [&](std::size_t lane) {
-            return [this, lane, id](Hit hit) {
+        for (std::uint32_t bits = asked; bits != 0; bits &= bits - 1) {
+            const auto lane = static_cast<std::size_t>(std::countr_zero(bits));
+            NearestHit nearest(single.at(lane));
+            const auto take = [&](Hit hit) {
                 hit.instance = id;
-                offer(lane, hit);
-                return kAny;
+                nearest.offer(hit);
+                return false;
             };
-        };
-        if (!slab.coherent()) {
-            for (std::uint32_t bits = rays; bits != 0; bits &= bits - 1) {
-                const auto lane = static_cast<std::size_t>(std::countr_zero(bits));
-                visitMesh<kAny ? Order::Any : Order::Nearest>(mesh, single.at(lane), limits_.lane[lane],
-                                                              offerOf(lane), Unwatched{});
-            }
-            return;
-        }
-        std::array<std::optional<RayShear>, kLanes> shears;
-        const auto leaf = [&](std::uint32_t first, std::uint32_t count, std::uint32_t met) HWY_ATTR {
-            for (std::uint32_t bits = met & rays & open_; bits != 0; bits &= bits - 1) {
-                const auto lane = static_cast<std::size_t>(std::countr_zero(bits));
-                if (!shears[lane]) shears[lane].emplace(single.at(lane));
-                visitTriangles(mesh, first, count, *shears[lane], single.tMin.lane[lane], limits_.lane[lane],
-                               offerOf(lane));
-            }
-            limit();
-            return (rays & open_) == 0;
-        };
-        traverse(mesh.index, slab, limits_, farthest_, leaf);
-    }
-
-    void offer(std::size_t lane, const Hit& hit) {
-        if constexpr (kAny) {
-            open_ &= ~(1U << lane);
-            limits_.lane[lane] = -kInfinity;
-        } else {
-            nearest_[lane]->offer(hit);
-            limits_.lane[lane] = nearest_[lane]->limit();
+            visitMesh<Order::Nearest>(mesh, single.at(lane), nearest.limit(), take, Unwatched{});
+            if (const auto hit = nearest.get()) offer(row, lane, *hit);
         }
     }
 
-    void limit() {
-        farthest_ = -kInfinity;
-        for (std::uint32_t bits = open_; bits != 0; bits &= bits - 1)
-            farthest_ = std::max(farthest_, limits_.lane[std::countr_zero(bits)]);
+    /// Returns the ray's bit if it is taken.
+    std::uint32_t offer(std::size_t row, std::size_t lane, const Hit& hit) {
+        const IntTag n;
+        const auto here = maskOf(1U << lane);
+        const FloatMask better =
+            nearest_[row].offer({hn::IfThenElse(here, all(hit.t), all(kInfinity)), all(hit.u), all(hit.v),
+                                 hn::Set(n, static_cast<std::int32_t>(hit.primitive)),
+                                 hn::Set(n, static_cast<std::int32_t>(hit.instance))});
+        shrink(row);
+        return bitsOf(better);
+    }
+
+    void shrink(std::size_t row) {
+        const auto limit = hn::IfThenElse(maskOf(rays_.asked[row]), nearest_[row].limit, all(-kInfinity));
+        limits_[row] = hn::GetLane(hn::MaxOfLanes(FloatTag(), limit));
     }
 
     const IndexedGeometry<Bvh8>& geometry_;
-    const RayLanes rays_;
+    const PacketRays& rays_;
     RayMask mask_;
-    std::uint32_t open_; // rays that still ask, a bit each
-    Spread limits_;      // hits from here on change nothing
-    float farthest_ = 0;
-    std::array<std::optional<NearestHit>, kLanes> nearest_;
+    NearestLanes nearest_[kMostRows];
+    alignas(32) OfRows limits_; // the largest of each row's rays: hits from there on change nothing
 };
 
 }

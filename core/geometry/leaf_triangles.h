@@ -29,10 +29,10 @@ private:
 struct alignas(32) TriangleBlock {
     std::array<std::array<std::array<float, Bvh8::kWidth>, 3>, 3> corners;
 
-    /// The corners of one, along the axes of the shear.
-    TriangleCorners turned(std::size_t lane, const RayShear& shear) const {
+    /// The corners of one, along the axes of a RayShear.
+    TriangleCorners turned(std::size_t lane, const std::array<std::size_t, 3>& axes) const {
         const auto corner = [&](const auto& at) -> std::array<float, 3> {
-            return {at[shear.axes[0]][lane], at[shear.axes[1]][lane], at[shear.axes[2]][lane]};
+            return {at[axes[0]][lane], at[axes[1]][lane], at[axes[2]][lane]};
         };
         return {corner(corners[0]), corner(corners[1]), corner(corners[2])};
     }

@@ -28,6 +28,7 @@ struct Columns3 {
 
 struct RayStream {
     std::size_t size = 0;
+    std::size_t width = 0;        // of the rows of pixels that they go through; 0 if they lie otherwise
     Columns3 origin, direction;   // direction is unit
     Columns3 share;               // of a ray's radiance that its parent's hit sends on
     Columns3 weight;              // of its radiance that reaches the pixel

@@ -35,7 +35,7 @@ HWY_INLINE void offerShape(const Instance<Index>& instance, std::uint32_t id, Ra
     const auto limit = hn::IfThenElse(t < none, nextAbove(t), none);
     const HitLanes before{t, load(rays.u, i), all(0.0F), loadInts(rays.primitive, i),
                           loadInts(rays.instance, i)};
-    NearestLanes nearest{limit, before};
+    NearestLanes nearest(limit, before);
     const ShapeHitLanes found = intersectShape(instance, raysAt(rays, i), limit);
     if (hn::AllFalse(FloatTag(), found.t < none)) return;
     nearest.offer(found, id);
@@ -56,11 +56,31 @@ inline void closestShapes(const IndexedGeometry<BruteForce>& geometry, RayStream
     }
 }
 
+/// In packets: of rays through pixels, those of a square; of others, those that lie side by side.
+inline void closestInPackets(const IndexedGeometry<Bvh8>& geometry, RayStream& rays) {
+    const bool square = rays.width > 0 && rays.width % kLanes == 0 && rays.size % rays.width == 0;
+    const std::size_t width = square ? rays.width : kLanes, lines = (rays.size + width - 1) / width;
+    for (std::size_t top = 0; top < lines; top += kMostRows)
+        for (std::size_t left = 0; left < width; left += kLanes) {
+            PacketRays packet;
+            const auto place = [&](std::size_t row) { return (top + row) * width + left; };
+            for (std::size_t row = 0; row < std::min(kMostRows, lines - top); ++row)
+                packet.add(raysAt(rays, place(row)), bitsOf(hn::FirstN(FloatTag(), rays.size - place(row))));
+            const Packet found(geometry, packet, RayMask::All);
+            for (std::size_t row = 0; row < packet.count; ++row) {
+                HitLanes hits = found.hits(row);
+                hits.instance = hn::IfThenElse(hn::RebindMask(IntTag(), hits.met()), hits.instance, missed());
+                storeHits(hits, rays, place(row));
+            }
+        }
+}
+
 /// Fills in the closest hits of a stream's rays.
 template <class Index>
 void closestHits(const IndexedGeometry<Index>& geometry, RayStream& rays) {
     if constexpr (std::is_same_v<Index, BruteForce>)
         if (geometry.shapesOnly) return closestShapes(geometry, rays);
+    if constexpr (std::is_same_v<Index, Bvh8>) return closestInPackets(geometry, rays);
     for (std::size_t i = 0; i < rays.size; i += kLanes) {
         const auto there = hn::FirstN(FloatTag(), rays.size - i);
         HitLanes hits = closestHits(geometry, raysAt(rays, i), there, RayMask::All);

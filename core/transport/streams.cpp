@@ -21,6 +21,10 @@ public:
         : context_(context), pass_(static_cast<std::uint32_t>(pass)), result_(result),
           eye_(memory_.stream(0)), tracer_(context, geometry, result.counts, memory_) {
         eye_.size = 0;
+        const Tile& tile = result.tile;
+        eye_.width = tile.wanted.empty()
+                         ? static_cast<std::size_t>((tile.x1 - tile.x0 + tile.step - 1) / tile.step)
+                         : 0;
         memory_.media.reset(context.eyeMedia);
     }
 

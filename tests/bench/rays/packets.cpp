@@ -8,22 +8,47 @@
 HWY_BEFORE_NAMESPACE();
 namespace eyeray::HWY_NAMESPACE {
 
-void traceRays(const IndexedGeometry<Bvh8>& geometry, const RaySet& set, std::vector<float>& answers) {
-    Spread3 origin, direction;
-    Spread tMin, tMax;
-    for (std::size_t first = 0; first < set.rays.size(); first += kLanes) {
-        const std::size_t count = std::min(kLanes, set.rays.size() - first);
-        for (std::size_t lane = 0; lane < count; ++lane) {
-            const Ray& ray = set.rays[first + lane];
-            origin.set(lane, ray.origin), direction.set(lane, ray.direction);
-            tMin.lane[lane] = ray.tMin, tMax.lane[lane] = ray.tMax;
+/// Rays in columns, as streams hold them.
+class PacketColumns {
+public:
+    static constexpr std::size_t kMost = kMostRows * kLanes;
+
+    explicit PacketColumns(std::span<const Ray> rays) {
+        for (std::size_t i = 0; i < rays.size(); ++i) {
+            const Ray& ray = rays[i];
+            for (int axis = 0; axis < 3; ++axis)
+                origin_[axis][i] = ray.origin[axis], direction_[axis][i] = ray.direction[axis];
+            tMin_[i] = ray.tMin, tMax_[i] = ray.tMax;
         }
-        const RayLanes rays{gathered(origin), gathered(direction), gathered(tMin), gathered(tMax)};
-        const auto there = hn::FirstN(FloatTag(), count);
-        const Spread found =
-            spread(set.anyHit ? hn::IfThenElseZero(anyHits(geometry, rays, there, RayMask::All), all(1.0F))
-                              : closestHits(geometry, rays, there, RayMask::All).t);
-        std::copy_n(found.lane, count, answers.begin() + static_cast<std::ptrdiff_t>(first));
+        for (std::size_t i = 0; i < rays.size(); i += kLanes) {
+            const auto at = [i](const auto& column) HWY_ATTR { return hn::Load(FloatTag(), &column[i]); };
+            const auto three = [&](const auto& v)
+                                   HWY_ATTR { return Vec3Lanes{at(v[0]), at(v[1]), at(v[2])}; };
+            packet.add({three(origin_), three(direction_), at(tMin_), at(tMax_)},
+                       bitsOf(hn::FirstN(FloatTag(), rays.size() - i)));
+        }
+    }
+
+    PacketRays packet;
+
+private:
+    alignas(64) float origin_[3][kMost], direction_[3][kMost], tMin_[kMost], tMax_[kMost];
+};
+
+void closestHits(const IndexedGeometry<Bvh8>& geometry, std::span<const Ray> rays, std::span<float> answers) {
+    const PacketColumns columns(rays);
+    const Packet found(geometry, columns.packet, RayMask::All);
+    for (std::size_t row = 0; row < columns.packet.count; ++row) {
+        const auto rest = answers.subspan(row * kLanes);
+        const Spread t = spread(found.hits(row).t);
+        std::copy_n(t.lane, std::min(kLanes, rest.size()), rest.begin());
+    }
+}
+
+void traceRays(const IndexedGeometry<Bvh8>& geometry, std::span<const Ray> rays, std::span<float> answers) {
+    for (std::size_t first = 0; first < rays.size(); first += PacketColumns::kMost) {
+        const std::size_t count = std::min(PacketColumns::kMost, rays.size() - first);
+        closestHits(geometry, rays.subspan(first, count), answers.subspan(first, count));
     }
 }
 
@@ -35,9 +60,9 @@ namespace eyeray {
 
 HWY_EXPORT(traceRays);
 
-void bench::tracePackets(const IndexedGeometry<Bvh8>& geometry, const RaySet& set,
-                         std::vector<float>& answers) {
-    HWY_DYNAMIC_DISPATCH(traceRays)(geometry, set, answers);
+void bench::tracePackets(const IndexedGeometry<Bvh8>& geometry, std::span<const Ray> rays,
+                         std::span<float> answers) {
+    HWY_DYNAMIC_DISPATCH(traceRays)(geometry, rays, answers);
 }
 
 }
