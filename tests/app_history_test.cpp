@@ -38,7 +38,7 @@ ColorImage rendered(const Document& document) {
     settings.coarse = false;
     settings.stop = {1, 0, 0};
     RenderSession session(1);
-    session.start(buildWorld(document.scene, document.build), document.camera, settings);
+    session.start(buildWorld(document.scene, buildSettings(document)), document.camera, settings);
     while (session.wait(std::chrono::milliseconds(1000)).active()) {
     }
     return session.image();

@@ -1,6 +1,8 @@
 // labels: ui
-// Objects that are dragged: the index follows them, and is built anew once they are let go.
+// The index of the scene shown: it follows objects that are dragged and is built anew once they are let go,
+// and of a few objects it is another for another method.
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include "app/viewer/viewer.h"
@@ -39,6 +41,38 @@ TEST_F(Dragging, RefitsUntilTheObjectIsLetGo) {
     EXPECT_EQ(viewer.shownWorld(), viewer.world());
     EXPECT_EQ(viewer.world()->scene, dragged->scene);
     EXPECT_EQ(viewer.session().image(), before);
+}
+
+/// The indices of a scene's Worlds while the method changes.
+class ChangingTheMethod : public testing::Test {
+protected:
+    AccelKind indexAfter(const std::string& scene, const char* method) {
+        if (opened_ != scene) viewer.openInBackground(opened_ = scene, {});
+        viewer.finishJobs();
+        EXPECT_TRUE(viewer.execute(Command::parse(fmt::format("set method={}", method))));
+        viewer.finishJobs();
+        return viewer.world()->accelKind;
+    }
+
+    Viewer viewer{2};
+
+private:
+    std::string opened_;
+};
+
+TEST_F(ChangingTheMethod, ChangesTheIndexOfAFewObjects) {
+    EXPECT_EQ(indexAfter("cornell", "path"), AccelKind::Bvh8);
+    EXPECT_EQ(indexAfter("cornell", "whitted"), AccelKind::Brute);
+    EXPECT_EQ(indexAfter("cornell", "distributed"), AccelKind::Bvh8);
+    EXPECT_TRUE(viewer.execute(Command::parse("set accel=bvh2")));
+    EXPECT_EQ(indexAfter("cornell", "local"), AccelKind::Bvh2) << "unless one was asked for";
+}
+
+TEST_F(ChangingTheMethod, LeavesTheWorldOfOthersAsItIs) {
+    EXPECT_EQ(indexAfter("flake", "whitted"), AccelKind::Bvh8);
+    const auto before = viewer.world();
+    EXPECT_EQ(indexAfter("flake", "path"), AccelKind::Bvh8);
+    EXPECT_EQ(viewer.world(), before);
 }
 
 TEST_F(Dragging, IsWhatRefitsForAMoveAloneBuildsAnew) {

@@ -44,7 +44,7 @@ ByteImage rendered(const Document& document) {
     settings.stop = {.samples = kSamples};
     settings.coarse = false;
     RenderSession session;
-    session.start(buildWorld(document.scene, document.build), document.camera, settings);
+    session.start(buildWorld(document.scene, buildSettings(document)), document.camera, settings);
     while (session.wait(std::chrono::seconds(1)).active()) {
     }
     return display(session.image(), settings.display);

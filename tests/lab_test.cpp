@@ -27,7 +27,7 @@ struct Sides {
 
 ColorImage traced(const Document& document, int passes) {
     constexpr int kWidth = 160, kHeight = 120;
-    const auto world = buildWorld(document.scene, document.build);
+    const auto world = buildWorld(document.scene, buildSettings(document));
     const TraceContext context(world, document.camera, document.render.trace, kWidth, kHeight, 0, {});
     const auto integrator = makeIntegrator(document.render.trace.method);
     const FloatEnvironment environment;

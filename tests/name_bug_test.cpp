@@ -35,7 +35,7 @@ protected:
         return *nameBug(world_, homage.camera, homage.render, picture, pool_);
     }
 
-    std::shared_ptr<const World> world_ = buildWorld(homage.scene, homage.build);
+    std::shared_ptr<const World> world_ = buildWorld(homage.scene, buildSettings(homage));
     ThreadPool pool_{1};
 };
 

@@ -217,26 +217,49 @@ TEST(World, CountsPrimitivesOfAllInstances) {
     EXPECT_EQ(tracing.world().accelKind, AccelKind::Bvh8);
 }
 
+/// What Auto becomes.
+AccelKind automatic(const Scene& scene, bool byStreams) {
+    return buildWorld(std::make_shared<const Scene>(scene), {.byStreams = byStreams})->accelKind;
+}
+
 TEST(World, OfAFewPrimitivesIsNotIndexed) {
+    for (const bool byStreams : {false, true}) {
+        Scene scene = underSky(Color(0));
+        const std::size_t most = byStreams ? kMostByStreams : kMostOneByOne;
+        for (std::size_t i = 0; i < most; ++i) add(scene, Sphere{1}, matte(Color(1)));
+        EXPECT_EQ(automatic(scene, byStreams), AccelKind::Brute);
+        add(scene, Sphere{1}, matte(Color(1)));
+        EXPECT_EQ(automatic(scene, byStreams), AccelKind::Bvh8);
+        scene.objects.back().visible = false;
+        EXPECT_EQ(automatic(scene, byStreams), AccelKind::Brute);
+        scene.lights = {lampAt({0, 4, 0}, RectangleLamp{1, 1})};
+        EXPECT_EQ(automatic(scene, byStreams), AccelKind::Bvh8) << "a lamp that is seen counts";
+        scene.lights[0].shape = PointLamp{};
+        EXPECT_EQ(automatic(scene, byStreams), AccelKind::Brute);
+    }
+}
+
+TEST(World, OfAsManyPrimitivesIsIndexedSoonerForRaysThatComeOneByOne) {
     Scene scene = underSky(Color(0));
-    for (std::size_t i = 0; i < kBruteForceLimit; ++i) add(scene, Sphere{1}, matte(Color(1)));
-    EXPECT_EQ(Tracing(scene).world().accelKind, AccelKind::Brute);
-    add(scene, Sphere{1}, matte(Color(1)));
-    EXPECT_EQ(Tracing(scene).world().accelKind, AccelKind::Bvh8);
-    scene.objects.back().visible = false;
-    EXPECT_EQ(Tracing(scene).world().accelKind, AccelKind::Brute);
-    scene.lights = {lampAt({0, 4, 0}, RectangleLamp{1, 1})};
-    EXPECT_EQ(Tracing(scene).world().accelKind, AccelKind::Bvh8) << "a lamp that is seen counts";
-    scene.lights[0].shape = PointLamp{};
-    EXPECT_EQ(Tracing(scene).world().accelKind, AccelKind::Brute);
+    for (std::size_t i = 0; i <= kMostOneByOne; ++i) add(scene, Box{}, matte(Color(1)));
+    EXPECT_EQ(automatic(scene, false), AccelKind::Bvh8);
+    EXPECT_EQ(automatic(scene, true), AccelKind::Brute);
 }
 
 TEST(World, OfTwoCylindersIsIndexedForTheyTakeLongToTest) {
     Scene scene = underSky(Color(0));
     add(scene, Cylinder{1, 0.5F, 0.5F}, matte(Color(1)));
-    EXPECT_EQ(Tracing(scene).world().accelKind, AccelKind::Brute);
+    EXPECT_EQ(automatic(scene, true), AccelKind::Brute);
     add(scene, Cylinder{1, 0, 0.5F}, matte(Color(1)));
-    EXPECT_EQ(Tracing(scene).world().accelKind, AccelKind::Bvh8);
+    EXPECT_EQ(automatic(scene, true), AccelKind::Bvh8);
+}
+
+TEST(World, OfPlanesWithoutEndIsNotIndexedForEveryRayIsTestedAgainstThem) {
+    Scene scene = underSky(Color(0));
+    for (std::size_t i = 0; i <= kMostByStreams; ++i) add(scene, Plane{}, matte(Color(1)));
+    EXPECT_EQ(automatic(scene, true), AccelKind::Brute);
+    for (Shape& shape : scene.shapes) shape = Plane{1, 1, true};
+    EXPECT_EQ(automatic(scene, true), AccelKind::Bvh8);
 }
 
 TEST(World, LeavesOutWhatIsInvisibleOrFlat) {

@@ -8,12 +8,6 @@
 
 namespace eyeray {
 
-/// A scene with one index.
-struct BenchedIndex {
-    std::shared_ptr<const World> world;
-    double buildSeconds = 0;
-};
-
 /// One index, one kind of rays, one number of threads.
 struct BenchFigure {
     std::size_t index = 0; // of BenchedScene::indices
@@ -31,7 +25,7 @@ struct BenchedScene {
     std::string reference;
     int side = 0; // of the square picture whose rays are traced, in pixels
     double loadSeconds = 0;
-    std::vector<BenchedIndex> indices;
+    std::vector<std::shared_ptr<const World>> indices;
     std::vector<BenchFigure> figures;
 };
 

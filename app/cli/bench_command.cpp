@@ -41,13 +41,11 @@ public:
         for (const AccelKind accel : {AccelKind::Bvh8, AccelKind::Bvh2, AccelKind::Brute}) {
             if (options.accel && *options.accel != accel) continue;
             if (!result_.indices.empty() && accel == AccelKind::Brute &&
-                result_.indices.front().world->primitives > kMostForBrute)
+                result_.indices.front()->primitives > kMostForBrute)
                 continue;
-            const auto start = Clock::now();
-            auto world = buildWorld(opened.document.scene, {accel});
-            result_.indices.push_back({std::move(world), secondsSince(start)});
+            result_.indices.push_back(buildWorld(opened.document.scene, {accel}));
         }
-        sets_ = raySets(*result_.indices.front().world, opened.document.camera, kSide);
+        sets_ = raySets(*result_.indices.front(), opened.document.camera, kSide);
         std::erase_if(sets_, [](const RaySet& set) { return set.rays.empty(); });
         setSeconds_ = seconds / static_cast<double>(steps());
     }
@@ -80,17 +78,17 @@ private:
         std::vector<BenchFigure> figures;
         std::vector<std::vector<double>> seconds(result_.indices.size());
         for (std::size_t i = 0; i < result_.indices.size(); ++i) {
-            sets.push_back(filling(set, *result_.indices[i].world->accel, pool));
+            sets.push_back(filling(set, *result_.indices[i]->accel, pool));
             figures.push_back({i, pool.threads(), set.kind, sets.back().rays.size(), 0, {}, {}, 0});
             const RaySet few{set.kind, set.anyHit, thinned(sets.back().rays, kRaysToTry)};
-            figures.back().counts = countTraversal(*result_.indices[i].world->accel, few);
+            figures.back().counts = countTraversal(*result_.indices[i]->accel, few);
             figures.back().counted = few.rays.size();
         }
         const auto start = Clock::now();
         for (int round = 0; round < kLeastRounds || secondsSince(start) < setSeconds_; ++round)
             for (std::size_t i = 0; i < sets.size(); ++i) {
                 if (interrupted()) return;
-                const TracedSet traced = trace(*result_.indices[i].world->accel, sets[i], pool);
+                const TracedSet traced = trace(*result_.indices[i]->accel, sets[i], pool);
                 seconds[i].push_back(traced.seconds);
                 figures[i].hits = traced.hits;
             }

@@ -42,7 +42,7 @@ std::string cellsOf(const BenchedScene& scene, std::size_t index, int threads,
 
 /// A line for each number of threads, and one for the work that a ray makes.
 std::string linesOf(const BenchedScene& scene, std::size_t index) {
-    const World& world = *scene.indices[index].world;
+    const World& world = *scene.indices[index];
     const std::size_t primitives = std::max<std::size_t>(1, world.primitives);
     std::string lines;
     int last = 0;
@@ -51,7 +51,7 @@ std::string linesOf(const BenchedScene& scene, std::size_t index) {
         last = figure.threads;
         lines += fmt::format("{:<8}{:>8}{}{:>11.1f}{:>10.1f}\n",
                              kAccelNames[static_cast<std::size_t>(world.accelKind)], last,
-                             cellsOf(scene, index, last, speedOf), scene.indices[index].buildSeconds * 1e3,
+                             cellsOf(scene, index, last, speedOf), world.buildSeconds * 1e3,
                              static_cast<double>(world.bytes) / static_cast<double>(primitives));
     }
     if (last == 0) return {};
@@ -60,7 +60,7 @@ std::string linesOf(const BenchedScene& scene, std::size_t index) {
 }
 
 nlohmann::json jsonOf(const BenchedScene& scene, const BenchFigure& figure) {
-    const BenchedIndex& index = scene.indices[figure.index];
+    const World& world = *scene.indices[figure.index];
     nlohmann::json rays;
     for (const std::string_view kind : kRayKindNames)
         rays[std::string(kind)] = kind == name(figure.kind) ? figure.rays : 0;
@@ -74,7 +74,7 @@ nlohmann::json jsonOf(const BenchedScene& scene, const BenchFigure& figure) {
             {"kind", name(figure.kind)},
             {"seconds",
              {{"load", scene.loadSeconds},
-              {"build", index.buildSeconds},
+              {"build", world.buildSeconds},
               {"first_image", seconds},
               {"render", seconds},
               {"spread", figure.seconds.spread}}},
@@ -85,7 +85,7 @@ nlohmann::json jsonOf(const BenchedScene& scene, const BenchFigure& figure) {
               {"boxes", perRay(figure, figure.counts.boxes)},
               {"primitives", perRay(figure, figure.counts.primitives)}}},
             {"mrays_per_second", figure.mraysPerSecond()},
-            {"accelerator", acceleratorFigures(*index.world)},
+            {"accelerator", acceleratorFigures(world)},
             {"invalid_samples", 0},
             {"peak_rss_bytes", peakRssBytes()}};
 }
@@ -96,7 +96,7 @@ std::string textOf(const BenchedScene& scene) {
     std::string text =
         fmt::format("{}: {} primitives, Mrays/s (median and spread of rounds in turn); nodes and primitives "
                     "tested a ray\n{:<8}{:>8}",
-                    scene.reference, scene.indices.front().world->primitives, "index", "threads");
+                    scene.reference, scene.indices.front()->primitives, "index", "threads");
     for (const RayKind kind : kColumns) text += fmt::format("{:>15}", name(kind));
     text += fmt::format("{:>11}{:>10}\n", "build ms", "B/prim.");
     for (std::size_t index = 0; index < scene.indices.size(); ++index) text += linesOf(scene, index);

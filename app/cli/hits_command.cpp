@@ -97,7 +97,8 @@ void print(const std::string& text) {
 
 int run(const HitsOptions& options) {
     const Document document = openFor(options.picture).document;
-    const HitLines hits(buildWorld(document.scene, document.build), options.question);
+    const HitLines hits(buildWorld(document.scene, {.accel = document.accel, .byStreams = false}),
+                        options.question);
     ThreadPool pool(document.threads);
     if (isatty(STDIN_FILENO) != 0)
         fmt::print(stderr, "eyeray: standard input: one ray a line: ox oy oz dx dy dz [tmin tmax]\n");

@@ -32,7 +32,7 @@ Inspected inspect(const InspectOptions& options) {
             fmt::format("--pixel {},{}", x, y),
             fmt::format("outside the picture of {}x{}", settings.width, settings.height),
             fmt::format("give X from 0 to {} and Y from 0 to {}", settings.width - 1, settings.height - 1));
-    result.world = buildWorld(document.scene, document.build);
+    result.world = buildWorld(document.scene, buildSettings(document));
     const TraceContext context(result.world, document.camera, settings.trace, settings.width, settings.height,
                                settings.seed, {});
     const auto integrator = makeIntegrator(settings.trace.method);

@@ -25,7 +25,7 @@ int run(const NameBugOptions& options) {
     const Document document = openFor(options.picture).document;
     const ByteImage picture = readDisplayed(options.wrong);
     ThreadPool pool(document.threads);
-    const auto world = buildWorld(document.scene, document.build);
+    const auto world = buildWorld(document.scene, buildSettings(document));
     const NamedBug bug = *nameBug(world, document.camera, document.render, picture, pool);
     if (options.json) {
         fmt::print("{}\n", asJson(bug).dump());

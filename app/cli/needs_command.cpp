@@ -61,6 +61,7 @@ std::string jsonOf(const OpenedScene& opened, const MeasuredNeeds& needs) {
         {"tolerance", needs.tolerance},
         {"width", needs.width},
         {"height", needs.height},
+        {"index", indexName(needs)},
         {"compared_samples", needs.comparedSamples},
         {"compared", needs.inBlocks ? "blocks" : "pixels"},
         {"tiles", needs.tiles},

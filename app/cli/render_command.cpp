@@ -15,16 +15,10 @@
 namespace eyeray {
 namespace {
 
-using Clock = std::chrono::steady_clock;
-
 constexpr int kDefaultWidth = 1280;
 constexpr double kDefaultAspect = 16.0 / 9;
 constexpr int kDefaultSamples = 16; // where no option says when to stop
 constexpr auto kProgressInterval = std::chrono::milliseconds(100);
-
-double secondsSince(Clock::time_point start) {
-    return std::chrono::duration<double>(Clock::now() - start).count();
-}
 
 /// Renders until done or interrupted.
 RenderStatus render(RenderSession& session, const RenderJob& job, bool progress) {
@@ -57,7 +51,7 @@ nlohmann::json statistics(const RenderJob& job, const RenderStatus& status) {
             {"method", kMethodNames[static_cast<std::size_t>(method)]},
             {"seconds",
              {{"load", job.opened.loadSeconds},
-              {"build", job.buildSeconds},
+              {"build", world.buildSeconds},
               {"first_image", status.secondsToFirstPass},
               {"render", status.seconds}}},
             {"rays", rays},
@@ -189,9 +183,7 @@ int run(const RenderOptions& options) {
     RenderJob job = prepare(options);
     const std::vector<Layer> layers = layersFor(job, options);
     heedInterrupts();
-    const auto buildStart = Clock::now();
-    job.world = buildWorld(job.document.scene, job.document.build);
-    job.buildSeconds = secondsSince(buildStart);
+    job.world = buildWorld(job.document.scene, buildSettings(job.document));
 
     const bool byLayers = !layers.empty() && !isSampleMap(layers);
     const auto status = byLayers ? renderLayers(job, options, layers) : renderPicture(job, options, layers);

@@ -18,7 +18,6 @@ struct RenderJob {
     Document document;
     RenderSettings settings;
     std::shared_ptr<const World> world;
-    double buildSeconds = 0;
 };
 
 // The progress line; endProgress clears it.

@@ -21,6 +21,10 @@ Document makeDocument(std::shared_ptr<const Scene> scene) {
     return document;
 }
 
+BuildSettings buildSettings(const Document& document) {
+    return {document.accel, isByStreams(document.render.trace.method)};
+}
+
 Document apply(const Document& document, const Command& command) {
     for (const DocumentCommand& known : documentCommands()) {
         if (known.name != command.name()) continue;

@@ -47,7 +47,7 @@ struct Document {
     std::shared_ptr<const Scene> scene;
     Camera camera;
     RenderSettings render; // its width and height are set where the picture is shown
-    BuildSettings build;
+    AccelKind accel = AccelKind::Auto;
     int threads = 0;             // that trace; 0: one per core
     double aspect = 0;           // width / height of the picture; 0: free, as large as its place
     std::string layer = "color"; // shown, by its name
@@ -64,6 +64,9 @@ Document makeDocument(std::shared_ptr<const Scene>);
 
 /// A demonstration of the failure lab: its scene, with the naive side on the left and wrong pixels marked.
 Document labDocument(const LabDemo&, double value);
+
+/// What a World for the document's picture is built with.
+BuildSettings buildSettings(const Document&);
 
 /// The document as its scene alone asks for it.
 Document originalOf(const Document&);

@@ -10,7 +10,7 @@ NeedsPlan needsPlan(const Document& document, int width, int height, bool meterE
     NeedsPlan plan;
     plan.scene = document.scene;
     plan.camera = document.camera;
-    plan.accel = document.build.accel;
+    plan.accel = document.accel;
     plan.settings = document.render;
     plan.settings.width = width;
     plan.settings.height = height;
@@ -25,7 +25,7 @@ Document withNeeded(const Document& document, const MeasuredNeeds& needs) {
     smaller.camera = needs.needed.camera;
     smaller.render.trace = needs.needed.trace;
     smaller.render.stop.samples = needs.needed.samples;
-    smaller.build.accel = needs.needed.accel;
+    smaller.accel = needs.needed.accel;
     return smaller;
 }
 
@@ -52,6 +52,10 @@ std::string summaryText(const MeasuredNeeds& needs) {
                        needs.secondsNeeded, needs.secondsAsSet, errorText(needs.error));
 }
 
+std::string_view indexName(const MeasuredNeeds& needs) {
+    return kAccelNames[static_cast<std::size_t>(indexOf(needs.asSet))];
+}
+
 std::string measureText(const MeasuredNeeds& needs) {
     const std::string where = needs.tiles == needs.ofTiles
                                   ? fmt::format("in all of {}x{}", needs.width, needs.height)
@@ -59,10 +63,11 @@ std::string measureText(const MeasuredNeeds& needs) {
                                                 needs.width, needs.height);
     const std::string part =
         needs.inBlocks ? fmt::format("block of {0}x{0} pixels", kNoiseBlock) : std::string("pixel");
-    return fmt::format("measured {} with {} samples: no {} may change by more than {:.3g}/255; mean FLIP is "
-                       "at most {:.4f}",
-                       where, needs.comparedSamples, part, std::floor(255 * needs.tolerance + 1e-9),
-                       needs.tolerance);
+    return fmt::format(
+        "measured {} with {} samples, index {}: no {} may change by more than {:.3g}/255; mean FLIP is "
+        "at most {:.4f}",
+        where, needs.comparedSamples, indexName(needs), part, std::floor(255 * needs.tolerance + 1e-9),
+        needs.tolerance);
 }
 
 }

@@ -24,7 +24,10 @@ std::string errorText(const ModelError&);
 /// "2.4 times faster, FLIP 0.0031", or that all is needed.
 std::string summaryText(const MeasuredNeeds&);
 
-/// Where and with how many samples, and within what.
+/// Of the index of the picture as set: "bvh8".
+std::string_view indexName(const MeasuredNeeds&);
+
+/// Where, with how many samples and by which index, and within what.
 std::string measureText(const MeasuredNeeds&);
 
 }

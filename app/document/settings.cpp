@@ -113,7 +113,7 @@ constexpr auto error = [](auto& d) -> auto& { return d.render.stop.error; };
 constexpr auto adaptive = [](auto& d) -> auto& { return d.render.stop.adaptive; };
 constexpr auto exposure = [](auto& d) -> auto& { return d.render.display.exposure; };
 constexpr auto toneMap = [](auto& d) -> auto& { return d.render.display.toneMap; };
-constexpr auto accel = [](auto& d) -> auto& { return d.build.accel; };
+constexpr auto accel = [](auto& d) -> auto& { return d.accel; };
 constexpr auto threads = [](auto& d) -> auto& { return d.threads; };
 constexpr auto seed = [](auto& d) -> auto& { return d.render.seed; };
 
@@ -150,7 +150,8 @@ constexpr std::array kSettings = {
     entry<Flag<adaptive>>("adaptive",
                           "each pixel stops when the error around it is below the one asked for: on; or all "
                           "together when the worst tile's is: off"),
-    entry<Choice<accel, kAccelNames>>("accel", "index that finds hits: auto, brute (force) or bvh2"),
+    entry<Choice<accel, kAccelNames>>(
+        "accel", "index that finds hits: auto (by scene and method), brute (force), bvh2 or bvh8"),
     entry<Integer<threads, 0, 1024>>("threads", "threads that trace; 0 is one per core"),
     entry<Integer<seed, 0, 2147483647>>("seed", "start of the addressed random numbers"),
     entry<Faults>("fault", "mistakes to show, with commas between; none is as well as is known"),

@@ -1,6 +1,9 @@
+#include <fmt/format.h>
+
 #include <array>
 
 #include "app/gui/panels.h"
+#include "core/scene/choose_index.h"
 #include "core/study/layer_picture.h"
 
 namespace eyeray {
@@ -29,6 +32,16 @@ void layerChoice(const Widgets& ui) {
     ImGui::EndCombo();
 }
 
+/// Which index finds hits; of `auto` also what it becomes.
+void indexChoice(const Widgets& ui) {
+    const Document& document = ui.viewer.document();
+    const auto index = static_cast<std::size_t>(chooseIndex(*document.scene, buildSettings(document)));
+    const std::string automatic = fmt::format("auto: {}", kAccelLabels[index]);
+    auto labels = kAccelLabels;
+    if (document.accel == AccelKind::Auto) labels[0] = automatic;
+    ui.choice("Accelerator", "accel", kAccelNames, labels);
+}
+
 }
 
 void displayPanel(const Widgets& ui) {
@@ -38,7 +51,7 @@ void displayPanel(const Widgets& ui) {
     ui.integer("Samples", "samples", 1, 4096, true);
     ui.number("Error", "error", 0, 0.1F, "%.4f", true);
     ui.flag("Adaptive: samples where the noise is", "adaptive");
-    ui.choice("Accelerator", "accel", kAccelNames, kAccelLabels);
+    indexChoice(ui);
 }
 
 }

@@ -9,6 +9,7 @@
 #include "app/viewer/switched_kind.h"
 #include "app/viewer/viewer_commands.h"
 #include "core/base/errors.h"
+#include "core/scene/choose_index.h"
 
 namespace eyeray {
 namespace {
@@ -208,17 +209,19 @@ void Viewer::show(OpenedScene opened) {
                            opened_.reference, changes));
 }
 
+AccelKind Viewer::wantedIndex() const { return chooseIndex(*document().scene, buildSettings(document())); }
+
 /// Also once a drag has ended that a refitted World has followed: what rays visit never tells how one came
 /// there.
 bool Viewer::mustBuild() const {
-    if (document().scene != builtScene_ || !(document().build == builtSettings_)) return true;
+    if (document().scene != builtScene_ || wantedIndex() != builtIndex_) return true;
     return world_ && world_->refitted && !history_->inGesture() && !building();
 }
 
 void Viewer::startBuilding() {
     builtScene_ = document().scene;
-    builtSettings_ = document().build;
-    building_.start([scene = builtScene_, settings = builtSettings_, previous = world_,
+    builtIndex_ = wantedIndex();
+    building_.start([scene = builtScene_, settings = BuildSettings{builtIndex_}, previous = world_,
                      refits = history_->inGesture()](const std::stop_token& stop) {
         return refits && previous ? refitWorld(scene, settings, *previous, stop)
                                   : buildWorld(scene, settings, previous.get(), stop);

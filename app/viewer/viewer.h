@@ -182,6 +182,7 @@ public:
 private:
     void change(Document, const std::string& gesture);
     bool takeLoaded();
+    AccelKind wantedIndex() const;
     bool mustBuild() const;
     void startBuilding();
     bool takeBuilt();
@@ -216,7 +217,7 @@ private:
     BackgroundJob<std::shared_ptr<const World>> building_;
     std::shared_ptr<const World> world_;
     std::shared_ptr<const Scene> builtScene_; // what the last build was started for
-    BuildSettings builtSettings_;
+    AccelKind builtIndex_ = AccelKind::Auto;
 
     std::unique_ptr<RenderSession> session_;
     int threads_; // as told at the start; a document may ask for others

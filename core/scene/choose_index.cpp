@@ -6,9 +6,9 @@ namespace {
 std::size_t testCost(const Scene& scene, const Object& object) {
     if (const auto* mesh = std::get_if<MeshId>(&object.geometry))
         return scene.meshes[static_cast<std::size_t>(mesh->index)].triangles->triangles.size();
-    const int shape = std::get<ShapeId>(object.geometry).index;
-    return std::holds_alternative<Cylinder>(scene.shapes[static_cast<std::size_t>(shape)]) ? kCylinderCost
-                                                                                           : 1;
+    const Shape& shape = scene.shapes[static_cast<std::size_t>(std::get<ShapeId>(object.geometry).index)];
+    if (!boundsOf(shape).finite()) return 0; // no index spares a ray an infinite plane
+    return std::holds_alternative<Cylinder>(shape) ? kCylinderCost : 1;
 }
 
 bool hasSurface(const Light& light) {
@@ -18,13 +18,14 @@ bool hasSurface(const Light& light) {
 
 }
 
-AccelKind chooseIndex(const Scene& scene) {
+AccelKind chooseIndex(const Scene& scene, const BuildSettings& settings) {
+    if (settings.accel != AccelKind::Auto) return settings.accel;
     std::size_t cost = 0;
     for (const Object& object : scene.objects)
         if (object.visible) cost += testCost(scene, object);
     for (const Light& light : scene.lights)
         if (light.enabled && hasSurface(light)) ++cost;
-    return cost <= kBruteForceLimit ? AccelKind::Brute : AccelKind::Bvh8;
+    return cost <= (settings.byStreams ? kMostByStreams : kMostOneByOne) ? AccelKind::Brute : AccelKind::Bvh8;
 }
 
 }

@@ -258,7 +258,7 @@ std::shared_ptr<const World> build(const std::shared_ptr<const Scene>& shared, c
         if (scene.lights[i].enabled && scene.lights[i].intensity > 0)
             world->lights.push_back(prepared(scene.lights[i], static_cast<int>(i), world->origin));
 
-    world->accelKind = settings.accel == AccelKind::Auto ? chooseIndex(scene) : settings.accel;
+    world->accelKind = chooseIndex(scene, settings);
     if (world->accelKind == AccelKind::Brute)
         world->accel = index<BruteForce>(scene, *world, reuse, stop);
     else if (world->accelKind == AccelKind::Bvh2)

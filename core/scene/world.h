@@ -21,6 +21,7 @@ inline constexpr std::array<std::string_view, 4> kAccelNames = {"auto", "brute",
 
 struct BuildSettings {
     AccelKind accel = AccelKind::Auto; // Auto: by choose_index.h
+    bool byStreams = true;             // for Auto: many rays come at once, else one after the other
     friend bool operator==(const BuildSettings&, const BuildSettings&) = default;
 };
 

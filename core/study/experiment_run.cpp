@@ -5,6 +5,7 @@
 #include <map>
 
 #include "core/base/errors.h"
+#include "core/scene/choose_index.h"
 #include "core/study/pass_loop.h"
 
 namespace eyeray {
@@ -64,23 +65,19 @@ private:
         }
     }
 
-    /// Built once for each kind.
-    const World& world(AccelKind accel) {
-        auto& entry = worlds_[accel];
-        if (!entry.world) {
-            const auto start = std::chrono::steady_clock::now();
-            entry.world = buildWorld(plan_.scene, {accel});
-            entry.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-        }
-        return *entry.world;
+    /// Built once for each kind of index.
+    std::shared_ptr<const World> world(const ExperimentSetting& setting) {
+        const AccelKind kind = chooseIndex(*plan_.scene, {setting.accel, isByStreams(setting.trace.method)});
+        auto& built = worlds_[kind];
+        if (!built) built = buildWorld(plan_.scene, {kind});
+        return built;
     }
 
     PassLoop loop(const ExperimentSetting& setting, std::uint32_t seed) {
-        world(setting.accel);
-        return {makeIntegrator(setting.trace.method),
-                TraceContext(worlds_[setting.accel].world, plan_.camera, setting.trace, plan_.width,
-                             plan_.height, seed, {}),
-                pool_};
+        return {
+            makeIntegrator(setting.trace.method),
+            TraceContext(world(setting), plan_.camera, setting.trace, plan_.width, plan_.height, seed, {}),
+            pool_};
     }
 
     std::string tooSlow() const { return fmt::format("takes longer than {:g} s", plan_.limitSeconds); }
@@ -94,7 +91,7 @@ private:
                 PassLoop once = loop(result_.curves[curve].setting, plan_.seed);
                 if (!once.pass(plan_.limitSeconds, stop_)) fail(curve, tooSlow());
                 passSeconds_[curve] = once.seconds();
-                result_.curves[curve].buildSeconds = worlds_[result_.curves[curve].setting.accel].seconds;
+                result_.curves[curve].buildSeconds = world(result_.curves[curve].setting)->buildSeconds;
             });
         for (std::size_t curve = 0; curve < result_.curves.size(); ++curve)
             if (!failed(curve))
@@ -179,10 +176,6 @@ private:
         }
     }
 
-    struct BuiltWorld {
-        std::shared_ptr<const World> world;
-        double seconds = 0;
-    };
     using Known = std::pair<TraceSettings, Reference>;
 
     const ExperimentPlan& plan_;
@@ -190,7 +183,7 @@ private:
     ExperimentProgress& progress_;
     const std::stop_token stop_;
     ThreadPool pool_;
-    std::map<AccelKind, BuiltWorld> worlds_;
+    std::map<AccelKind, std::shared_ptr<const World>> worlds_;
     std::vector<double> passSeconds_; // of each curve
     std::vector<Known> known_;
     Experiment result_;

@@ -8,6 +8,7 @@
 #include "core/image/flip.h"
 #include "core/image/metrics.h"
 #include "core/render/adaptive.h"
+#include "core/scene/choose_index.h"
 
 namespace eyeray {
 namespace {
@@ -41,6 +42,10 @@ ColorImage likelyTruth(const ColorImage& once, const ColorImage& twice) {
 
 }
 
+AccelKind indexOf(const PictureModel& model) {
+    return chooseIndex(*model.scene, {model.accel, isByStreams(model.trace.method)});
+}
+
 ModelStudio::ModelStudio(const RenderSettings& settings, bool part, bool blocks, int threads,
                          std::stop_token stop)
     : settings_(settings), blocks_(blocks),
@@ -68,13 +73,14 @@ ByteImage ModelStudio::shown(const ColorImage& picture) const {
 }
 
 std::shared_ptr<const World> ModelStudio::world(const PictureModel& model) {
-    for (const auto& [accel, world] : worlds_)
-        if (accel == model.accel && world->scene == model.scene) return world;
-    const World* const previous = worlds_.empty() ? nullptr : worlds_.back().second.get();
-    auto built = buildWorld(model.scene, {model.accel}, previous, stop_);
+    const AccelKind index = indexOf(model);
+    for (const auto& world : worlds_)
+        if (world->accelKind == index && world->scene == model.scene) return world;
+    const World* const previous = worlds_.empty() ? nullptr : worlds_.back().get();
+    auto built = buildWorld(model.scene, {index}, previous, stop_);
     look();
     if (worlds_.size() >= kKeptWorlds) worlds_.erase(worlds_.begin() + 1);
-    worlds_.emplace_back(model.accel, built);
+    worlds_.push_back(built);
     return built;
 }
 

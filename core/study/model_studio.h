@@ -78,7 +78,7 @@ private:
     double share_; // of the picture's pixels that are in it
     ThreadPool pool_;
     std::stop_token stop_;
-    std::vector<std::pair<AccelKind, std::shared_ptr<const World>>> worlds_; // the last ones, as asked for
+    std::vector<std::shared_ptr<const World>> worlds_; // the last ones
 };
 
 }

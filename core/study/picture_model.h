@@ -20,6 +20,9 @@ struct PictureModel {
     int samples = 1; // per pixel
 };
 
+/// The index that finds the hits of its picture.
+AccelKind indexOf(const PictureModel&);
+
 /// One thing of a model that could be smaller: by how much, smallest first.
 struct NeedLadder {
     struct Rung {

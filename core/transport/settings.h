@@ -21,6 +21,9 @@ inline constexpr std::array<std::string_view, 5> kMethodNames = {"local", "cast"
 /// ambient light.
 constexpr bool isPhysical(Method method) { return method == Method::Distributed || method == Method::Path; }
 
+/// Methods whose pictures are traced by streams (streams.h), many rays at once; others take one by one.
+constexpr bool isByStreams(Method method) { return !isPhysical(method); }
+
 /// Weights at glass: exact Fresnel equations, or the material's kr and kt at every angle.
 enum class FresnelMode : std::uint8_t { Exact, Constant };
 inline constexpr std::array<std::string_view, 2> kFresnelModeNames = {"exact", "constant"};

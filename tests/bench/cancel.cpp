@@ -18,7 +18,7 @@ void cancel(const std::string& scene, const std::vector<std::string>& commands) 
         document = apply(document, Command::parse(command));
         name += command.substr(command.find(' '));
     }
-    const auto world = buildWorld(document.scene, document.build);
+    const auto world = buildWorld(document.scene, buildSettings(document));
     RenderSession session;
     std::mt19937 random(2);
     std::uniform_int_distribution microseconds(1'000, 80'000); // in the coarse picture as well as after it

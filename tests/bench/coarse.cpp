@@ -60,7 +60,7 @@ private:
 
 void edit(const std::string& scene) {
     Document document = openForever(scene);
-    auto world = buildWorld(document.scene, document.build);
+    auto world = buildWorld(document.scene, buildSettings(document));
     RenderSession session;
     session.start(world, document.camera, document.render);
     awaitCoarse(session);
@@ -71,7 +71,7 @@ void edit(const std::string& scene) {
         const Document changed = apply(document, editor.next(document));
         const auto start = Clock::now();
         const bool rebuild = changed.scene != document.scene;
-        if (rebuild) world = buildWorld(changed.scene, changed.build, world.get());
+        if (rebuild) world = buildWorld(changed.scene, buildSettings(changed), world.get());
         const double build = secondsSince(start);
         session.start(world, changed.camera, changed.render);
         const double seconds = awaitCoarse(session).secondsToCoarse;
@@ -100,7 +100,7 @@ Command shadingEdit(int number) {
 /// are known; else from one that is hardly another.
 void shade(const std::string& scene, bool known) {
     Document document = openForever(scene);
-    auto world = buildWorld(document.scene, document.build);
+    auto world = buildWorld(document.scene, buildSettings(document));
     RenderSession session;
     const auto sample = [&] {
         session.start(world, document.camera, document.render);
@@ -113,7 +113,7 @@ void shade(const std::string& scene, bool known) {
     for (int i = 0; i < kShadingEdits; ++i) {
         document = apply(document, shadingEdit(i));
         if (!known) document = apply(document, Command::parse("orbit yaw=0.001 pitch=0"));
-        world = buildWorld(document.scene, document.build, world.get());
+        world = buildWorld(document.scene, buildSettings(document), world.get());
         const RenderStatus status = sample();
         coarse.push_back(status.secondsToCoarse * 1e3);
         first.push_back(status.secondsToFirstPass * 1e3);

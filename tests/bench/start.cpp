@@ -13,7 +13,7 @@ constexpr int kStarts = 10;
 double openToCoarse(const std::string& scene) {
     const auto start = Clock::now();
     const Document document = openForever(scene);
-    const auto world = buildWorld(document.scene, document.build);
+    const auto world = buildWorld(document.scene, buildSettings(document));
     RenderSession session;
     session.start(world, document.camera, document.render);
     awaitCoarse(session);
@@ -40,7 +40,7 @@ double windowToCoarse(const std::string& scene) {
 
 double buildOnly(const Document& document) {
     const auto start = Clock::now();
-    buildWorld(document.scene, document.build);
+    buildWorld(document.scene, buildSettings(document));
     return secondsSince(start) * 1e3;
 }
 
