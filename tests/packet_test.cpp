@@ -8,11 +8,22 @@
 #include <span>
 #include <vector>
 
+#include "core/geometry/bvh8_any_packet.h"
 #include "core/geometry/bvh8_packet.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace eyeray::HWY_NAMESPACE {
 namespace {
+
+RayLanes inLanes(std::span<const Ray> rays) {
+    Spread3 origin, direction;
+    Spread tMin, tMax;
+    for (std::size_t lane = 0; lane < rays.size(); ++lane) {
+        origin.set(lane, rays[lane].origin), direction.set(lane, rays[lane].direction);
+        tMin.lane[lane] = rays[lane].tMin, tMax.lane[lane] = rays[lane].tMax;
+    }
+    return {gathered(origin), gathered(direction), gathered(tMin), gathered(tMax)};
+}
 
 /// In packets of up to `mostRows` registers. A miss has an infinite t.
 std::vector<Hit> hitsOfPackets(const IndexedGeometry<Bvh8>& geometry, std::span<const Ray> rays,
@@ -23,14 +34,7 @@ std::vector<Hit> hitsOfPackets(const IndexedGeometry<Bvh8>& geometry, std::span<
         std::size_t next = 0;
         while (next < rays.size() && packet.count < std::min(mostRows, kMostRows)) {
             const auto row = rays.subspan(next, std::min(kLanes, rays.size() - next));
-            Spread3 origin, direction;
-            Spread tMin, tMax;
-            for (std::size_t lane = 0; lane < row.size(); ++lane) {
-                origin.set(lane, row[lane].origin), direction.set(lane, row[lane].direction);
-                tMin.lane[lane] = row[lane].tMin, tMax.lane[lane] = row[lane].tMax;
-            }
-            packet.add({gathered(origin), gathered(direction), gathered(tMin), gathered(tMax)},
-                       bitsOf(hn::FirstN(FloatTag(), row.size())));
+            packet.add(inLanes(row), bitsOf(hn::FirstN(FloatTag(), row.size())));
             next += row.size();
         }
         const Packet found(geometry, packet, RayMask::All);
@@ -39,6 +43,20 @@ std::vector<Hit> hitsOfPackets(const IndexedGeometry<Bvh8>& geometry, std::span<
         rays = rays.subspan(next);
     }
     return hits;
+}
+
+/// Whether they hit anything of the mask.
+std::vector<bool> anyHitsOfPackets(const IndexedGeometry<Bvh8>& geometry, std::span<const Ray> rays,
+                                   RayMask mask) {
+    std::vector<bool> hit;
+    while (!rays.empty()) {
+        const auto row = rays.first(std::min(kLanes, rays.size()));
+        const AnyPacket packet(geometry, inLanes(row), hn::FirstN(FloatTag(), row.size()), mask);
+        for (std::size_t lane = 0; lane < row.size(); ++lane)
+            hit.push_back((packet.open() >> lane & 1U) == 0);
+        rays = rays.subspan(row.size());
+    }
+    return hit;
 }
 
 }
@@ -56,6 +74,7 @@ namespace eyeray {
 namespace {
 
 HWY_EXPORT(hitsOfPackets);
+HWY_EXPORT(anyHitsOfPackets);
 
 using cases::place;
 using cases::Random;
@@ -82,6 +101,7 @@ Geometry mixedScene(Random& random) {
     for (const Shape& shape : {Shape(Sphere{0.5F}), Shape(Box{Vec3(1, 0.5F, 0.7F)}),
                                Shape(Cylinder{1, 0.3F, 0.2F}), Shape(Plane{2, 2, true})})
         instances.push_back(place<Bvh8>(cases::randomPlacement(random, 1), shape));
+    for (std::size_t i = 0; i < instances.size(); i += 3) instances[i].mask = RayMask::Transparent;
     return indexInstances<Bvh8>(std::move(instances), {});
 }
 
@@ -121,6 +141,10 @@ int expectTheHitsOfSingleRays(const Geometry& geometry, std::span<const Ray> ray
             EXPECT_EQ(hits[i].instance, one->instance) << i;
             ++met;
         }
+    }
+    for (const RayMask mask : {RayMask::All, RayMask::Opaque, RayMask::Transparent}) {
+        const std::vector<bool> hit = HWY_DYNAMIC_DISPATCH(anyHitsOfPackets)(geometry, rays, mask);
+        for (std::size_t i = 0; i < rays.size(); ++i) EXPECT_EQ(hit[i], anyHit(geometry, rays[i], mask)) << i;
     }
     return met;
 }

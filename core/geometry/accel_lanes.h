@@ -8,6 +8,7 @@
 #endif
 
 #include "core/geometry/accel.h"
+#include "core/geometry/bvh8_any_packet.h"
 #include "core/geometry/bvh8_packet.h"
 #include "core/geometry/hit_lanes.h"
 #include "core/geometry/ray_lanes.h"
@@ -78,6 +79,8 @@ HWY_INLINE FloatMask anyHits(const IndexedGeometry<Index>& geometry, const RayLa
             return hn::And(hit, asked);
         }
     }
+    if constexpr (std::is_same_v<Index, Bvh8>)
+        return hn::AndNot(maskOf(AnyPacket(geometry, rays, asked, mask).open()), asked);
     const RaySpread single(rays);
     std::uint32_t hit = 0;
     eachLane(asked, [&](std::size_t lane) {

@@ -36,21 +36,24 @@ struct Tracer {
 };
 
 template <class Index>
+void traceSingly(const IndexedGeometry<Index>& scene, const RaySet& set, Answers& answers) {
+    for (std::size_t i = 0; i < set.rays.size(); ++i) {
+        if (set.anyHit) {
+            answers[i] = anyHit(scene, set.rays[i]) ? 1.0F : 0.0F;
+        } else {
+            const auto hit = closestHit(scene, set.rays[i]);
+            answers[i] = hit ? hit->t : kInfinity;
+        }
+    }
+}
+
+template <class Index>
 Tracer ours(std::string name, const TestMesh& test) {
     auto scene = std::make_shared<IndexedGeometry<Index>>();
     const double seconds = secondsOf([&] {
         *scene = indexInstances<Index>({{.placement = {}, .geometry = indexMesh<Index>(test.mesh, {})}}, {});
     });
-    const auto trace = [scene](const RaySet& set, Answers& answers) {
-        for (std::size_t i = 0; i < set.rays.size(); ++i) {
-            if (set.anyHit) {
-                answers[i] = anyHit(*scene, set.rays[i]) ? 1.0F : 0.0F;
-            } else {
-                const auto hit = closestHit(*scene, set.rays[i]);
-                answers[i] = hit ? hit->t : kInfinity;
-            }
-        }
-    };
+    const auto trace = [scene](const RaySet& set, Answers& answers) { traceSingly(*scene, set, answers); };
     return {std::move(name), trace, seconds, scene->bytes};
 }
 
@@ -58,8 +61,10 @@ Tracer inPackets(const TestMesh& test) {
     auto scene = std::make_shared<const IndexedGeometry<Bvh8>>(
         indexInstances<Bvh8>({{.placement = {}, .geometry = indexMesh<Bvh8>(test.mesh, {})}}, {}));
     const auto trace = [scene](const RaySet& set, Answers& answers) {
-        if (set.anyHit) return; // streams ask them one by one
-        tracePackets(*scene, set.rays, answers);
+        if (set.anyHit)
+            traceSingly(*scene, set, answers); // as streams do
+        else
+            tracePackets(*scene, set.rays, answers);
     };
     return {.name = "bvh8, packets", .trace = trace};
 }
