@@ -61,11 +61,11 @@ private:
 };
 
 TEST_F(ChangingTheMethod, ChangesTheIndexOfAFewObjects) {
-    EXPECT_EQ(indexAfter("cornell", "path"), AccelKind::Bvh8);
-    EXPECT_EQ(indexAfter("cornell", "whitted"), AccelKind::Brute);
-    EXPECT_EQ(indexAfter("cornell", "distributed"), AccelKind::Bvh8);
+    EXPECT_EQ(indexAfter("bubble", "path"), AccelKind::Bvh8);
+    EXPECT_EQ(indexAfter("bubble", "whitted"), AccelKind::Brute);
+    EXPECT_EQ(indexAfter("bubble", "distributed"), AccelKind::Bvh8);
     EXPECT_TRUE(viewer.execute(Command::parse("set accel=bvh2")));
-    EXPECT_EQ(indexAfter("cornell", "local"), AccelKind::Bvh2) << "unless one was asked for";
+    EXPECT_EQ(indexAfter("bubble", "local"), AccelKind::Bvh2) << "unless one was asked for";
 }
 
 TEST_F(ChangingTheMethod, LeavesTheWorldOfOthersAsItIs) {
