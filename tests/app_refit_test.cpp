@@ -5,6 +5,8 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <set>
+
 #include "app/viewer/viewer.h"
 
 namespace eyeray {
@@ -41,6 +43,19 @@ TEST_F(Dragging, RefitsUntilTheObjectIsLetGo) {
     EXPECT_EQ(viewer.shownWorld(), viewer.world());
     EXPECT_EQ(viewer.world()->scene, dragged->scene);
     EXPECT_EQ(viewer.session().image(), before);
+}
+
+TEST_F(Dragging, IsSeenThoughEveryFrameMovesTheObject) {
+    std::set<std::shared_ptr<const World>> shown;
+    const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(30);
+    while (shown.size() < 5 && std::chrono::steady_clock::now() < end) {
+        EXPECT_TRUE(viewer.execute(Command::parse("move object=100 by=0.001,0,0"), "drag"));
+        viewer.update();
+        shown.insert(viewer.shownWorld());
+    }
+    EXPECT_EQ(shown.size(), 5U);
+    viewer.finishJobs();
+    EXPECT_EQ(viewer.world()->scene, viewer.document().scene);
 }
 
 /// The indices of a scene's Worlds while the method changes.

@@ -135,8 +135,11 @@ bool Viewer::update() {
     const bool loaded = takeLoaded();
     const bool built = takeBuilt();
     if (!hasScene()) return loaded || loading();
+    bool started = false;
+    if (built && history_->inGesture())
+        started = startRendering(); // before the next step of the drag is built
     if (mustBuild()) startBuilding();
-    const bool started = startRendering();
+    started |= startRendering();
     const bool metered = meterExposure();
     const bool compared = updateComparison(), layered = updateLayer(), lit = updatePhotons();
     const bool charted = recording_.update(*session_);
@@ -212,10 +215,12 @@ void Viewer::show(OpenedScene opened) {
 AccelKind Viewer::wantedIndex() const { return chooseIndex(*document().scene, buildSettings(document())); }
 
 /// Also once a drag has ended that a refitted World has followed: what rays visit never tells how one came
-/// there.
+/// there. While one goes on, each World is finished and shown, else a drag that moves in every frame would
+/// show none.
 bool Viewer::mustBuild() const {
-    if (document().scene != builtScene_ || wantedIndex() != builtIndex_) return true;
-    return world_ && world_->refitted && !history_->inGesture() && !building();
+    const bool changed = document().scene != builtScene_ || wantedIndex() != builtIndex_;
+    if (building()) return changed && !history_->inGesture();
+    return changed || (world_ && world_->refitted && !history_->inGesture());
 }
 
 void Viewer::startBuilding() {
