@@ -18,7 +18,7 @@ namespace eyeray::HWY_NAMESPACE {
 class AnyPacket {
 public:
     AnyPacket(const IndexedGeometry<Bvh8>& geometry, const RayLanes& rays, FloatMask asked, RayMask mask)
-        : geometry_(geometry), mask_(mask), open_(bitsOf(asked)) {
+        : geometry_(geometry), open_(bitsOf(asked)), mask_(mask) {
         if (open_ == 0) return;
         rays_.add(rays, open_);
         limits_.fill(-kInfinity);
@@ -84,11 +84,11 @@ private:
         limits_[0] = hn::GetLane(hn::MaxOfLanes(FloatTag(), limit));
     }
 
-    const IndexedGeometry<Bvh8>& geometry_;
-    RayMask mask_;
-    std::uint32_t open_;
-    PacketRays rays_;
     alignas(32) OfRows limits_;
+    PacketRays rays_;
+    const IndexedGeometry<Bvh8>& geometry_;
+    std::uint32_t open_;
+    RayMask mask_;
 };
 
 }

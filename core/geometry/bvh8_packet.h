@@ -250,11 +250,11 @@ private:
         limits_[row] = hn::GetLane(hn::MaxOfLanes(FloatTag(), limit));
     }
 
+    NearestLanes nearest_[kMostRows];
+    alignas(32) OfRows limits_; // the largest of each row's rays: hits from there on change nothing
     const IndexedGeometry<Bvh8>& geometry_;
     const PacketRays& rays_;
     RayMask mask_;
-    NearestLanes nearest_[kMostRows];
-    alignas(32) OfRows limits_; // the largest of each row's rays: hits from there on change nothing
 };
 
 }

@@ -25,9 +25,9 @@ using OfRows = Bvh8::Node::Lanes;
 
 /// Rays, a register of them in each row.
 struct PacketRays {
-    std::size_t count = 0; // of rows
     std::array<RayLanes, kMostRows> rows;
     std::array<std::uint32_t, kMostRows> asked{}; // rays that are meant, a bit each
+    std::size_t count = 0;                        // of rows
 
     /// One ray at least.
     void add(const RayLanes& row, std::uint32_t rays) { rows[count] = row, asked[count++] = rays; }

@@ -236,15 +236,15 @@ private:
         return hn::Or(aside, outside);
     }
 
-    Rows rows_;
-    std::array<std::size_t, 3> axes_;
-    std::array<float, 3> origin_; // of the first ray, turned
-    bool forward_ = true, aligned_ = true;
     std::array<ShearLanes, kMostRows> shears_;
     std::array<RowRanges, 3> origins_;
     std::array<RowRanges, 2> slopes_;
     alignas(32) OfRows along_{}; // the third axis, the most of each row, and of all
+    Rows rows_;
+    std::array<std::size_t, 3> axes_;
+    std::array<float, 3> origin_; // of the first ray, turned
     float mostAlong_ = 0;
+    bool forward_ = true, aligned_ = true;
 };
 
 }
