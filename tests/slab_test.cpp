@@ -112,7 +112,8 @@ TEST(RaySlab, BoxBeyondTheLimitOrBehindIsRejected) {
 TEST(RaySlab, EntryIsWhereTheBoxBegins) {
     const std::array<std::array<float, 3>, 2> corners{{{-1, -1, -1}, {1, 1, 1}}};
     const Bounds box{Vec3(-1), Vec3(1)};
-    EXPECT_NEAR(RaySlab(ray({0, 0, 5}, {0, 0, -1}), box).enter(corners, kInfinity), 4, 2e-5);
+    // Boxes grow by 16 units of 2⁻²⁴ of the way to their farthest side, 6, where the ray enters by 16 more.
+    EXPECT_NEAR(RaySlab(ray({0, 0, 5}, {0, 0, -1}), box).enter(corners, kInfinity), 4, 36 * 0x1p-24 * 6);
     EXPECT_EQ(RaySlab(ray({0, 0, 0}, {0, 0, -1}), box).enter(corners, kInfinity), 0) << "inside";
 }
 
