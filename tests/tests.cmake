@@ -21,9 +21,16 @@ function(eyeray_test source)
     target_link_libraries(${name} PRIVATE eyeray_app)
     add_dependencies(${name} eyeray)
   endif()
-  target_compile_definitions(${name} PRIVATE
-    EYERAY_SOURCE_DIR="${CMAKE_CURRENT_SOURCE_DIR}" EYERAY_BINARY_DIR="${CMAKE_CURRENT_BINARY_DIR}")
+  file(STRINGS ${source} needs_folders REGEX "EYERAY_(SOURCE|BINARY)_DIR" LIMIT_COUNT 1)
+  if(needs_folders) # the others compile to the same in every checkout, so ccache knows them
+    target_compile_definitions(${name} PRIVATE
+      EYERAY_SOURCE_DIR="${CMAKE_CURRENT_SOURCE_DIR}" EYERAY_BINARY_DIR="${CMAKE_CURRENT_BINARY_DIR}")
+  endif()
   eyeray_compile_options(${name})
+  file(STRINGS ${source} has_lanes REGEX "foreach_target" LIMIT_COUNT 1)
+  if(NOT has_lanes) # what is tested is optimised, in core and app: to optimise a test takes longer than to run it
+    target_compile_options(${name} PRIVATE -O1)
+  endif()
   gtest_discover_tests(${name} DISCOVERY_MODE PRE_TEST DISCOVERY_TIMEOUT 60 PROPERTIES TIMEOUT 300)
   # Read by ctest after discovery, for gtest_discover_tests itself keeps only the first label of a list.
   file(APPEND ${EYERAY_TEST_LABELS}

@@ -7,5 +7,7 @@ function(eyeray_compile_options target)
   if(EYERAY_SANITIZE)
     target_compile_options(${target} PRIVATE -fsanitize=${EYERAY_SANITIZE} -fno-sanitize-recover=all -fno-omit-frame-pointer)
     target_link_options(${target} PUBLIC -fsanitize=${EYERAY_SANITIZE})
+    # Code for four lanes differs from that for eight in their number alone, and takes minutes more to build.
+    target_compile_definitions(${target} PRIVATE "HWY_DISABLED_TARGETS=(HWY_SSE4|HWY_SSSE3)")
   endif()
 endfunction()
