@@ -42,7 +42,9 @@ TEST(RaySets, HoldTheEyeRaysOfThePictureAndOneOfEachOtherKindForEachHit) {
     for (std::size_t i = 1; i < sets.size(); ++i) EXPECT_EQ(sets[i].rays.size(), hits);
     const EyeRays eyeRays(scene.cameras.front(), world->origin, kSide, kSide);
     EXPECT_EQ(sets[0].rays[0].direction, eyeRays.through(0, 0, Vec2(0.5F)).direction);
-    EXPECT_EQ(sets[0].rays[9].direction, eyeRays.through(1, 1, Vec2(0.5F)).direction) << "in blocks";
+    EXPECT_EQ(sets[0].rays[5].direction, eyeRays.through(1, 1, Vec2(0.5F)).direction) << "in squares of 4";
+    EXPECT_EQ(sets[0].rays[16].direction, eyeRays.through(4, 0, Vec2(0.5F)).direction);
+    EXPECT_EQ(sets[0].rays[64].direction, eyeRays.through(8, 0, Vec2(0.5F)).direction) << "and blocks of 8";
     EXPECT_EQ(sets[0].rays.back().direction, eyeRays.through(63, 63, Vec2(0.5F)).direction);
     for (const RaySet& set : sets)
         for (const Ray& ray : set.rays) ASSERT_NEAR(glm::length(ray.direction), 1, 1e-5);

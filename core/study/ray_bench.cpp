@@ -11,7 +11,8 @@
 namespace eyeray {
 namespace {
 
-constexpr int kBlock = 8; // pixels a side
+constexpr int kBlock = 8, kPart = 4; // pixels a side
+constexpr int kPartRays = kPart * kPart;
 constexpr std::size_t kBlockRays = 64;
 constexpr std::size_t kRaysAtOnce = 16 * kBlockRays; // for a thread
 
@@ -20,8 +21,11 @@ std::vector<Ray> eyeRaysOf(const EyeRays& eyeRays, int side) {
     std::vector<Ray> rays;
     for (int top = 0; top < side; top += kBlock)
         for (int left = 0; left < side; left += kBlock)
-            for (int i = 0; i < static_cast<int>(kBlockRays); ++i)
-                rays.push_back(eyeRays.through(left + i % kBlock, top + i / kBlock, Vec2(0.5F)));
+            for (int i = 0; i < static_cast<int>(kBlockRays); ++i) {
+                const int part = i / kPartRays, x = part % 2 * kPart + i % kPart,
+                          y = part / 2 * kPart + i % kPartRays / kPart;
+                rays.push_back(eyeRays.through(left + x, top + y, Vec2(0.5F)));
+            }
     return rays;
 }
 

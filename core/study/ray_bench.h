@@ -28,9 +28,9 @@ struct RaySet {
     std::vector<Ray> rays;
 };
 
-/// Eye rays of a picture of side·side pixels, row by row in blocks of 8 by 8 (`side` is a multiple of 8), and
-/// from what each hits: a shadow ray to one of the lamps in turn, a mirrored ray, and one in a random
-/// direction over the surface (cosine distributed). The same for every index.
+/// Eye rays of a picture of side·side pixels, in blocks of 8 by 8 (`side` is a multiple of 8) of four squares
+/// each, and from what each hits: a shadow ray to one of the lamps in turn, a mirrored ray, and one in a
+/// random direction over the surface (cosine distributed). The same for every index.
 template <class Index>
 std::vector<RaySet> raySets(const IndexedGeometry<Index>&, const EyeRays&, int side,
                             std::span<const Vec3> lamps);

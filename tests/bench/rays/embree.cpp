@@ -101,25 +101,27 @@ RTCIntersectContext coherent() {
     return context;
 }
 
-void put(RTCRay16& packet, std::span<const Ray> rays) {
-    for (std::size_t i = 0; i < rays.size(); ++i) {
-        packet.org_x[i] = rays[i].origin.x, packet.org_y[i] = rays[i].origin.y;
-        packet.org_z[i] = rays[i].origin.z;
-        packet.dir_x[i] = rays[i].direction.x, packet.dir_y[i] = rays[i].direction.y;
-        packet.dir_z[i] = rays[i].direction.z;
-        packet.tnear[i] = rays[i].tMin, packet.tfar[i] = rays[i].tMax;
-        packet.mask[i] = 0xffffffff, packet.time[i] = 0, packet.flags[i] = 0;
-    }
+void put(RTCRay16& packet, const RayColumns& rays, std::size_t first) {
+    const auto copy = [first](const std::vector<float>& column, float* to) {
+        std::copy_n(&column[first], kPacket, to);
+    };
+    copy(rays.origin[0], packet.org_x), copy(rays.origin[1], packet.org_y),
+        copy(rays.origin[2], packet.org_z);
+    copy(rays.direction[0], packet.dir_x), copy(rays.direction[1], packet.dir_y);
+    copy(rays.direction[2], packet.dir_z);
+    copy(rays.tMin, packet.tnear), copy(rays.tMax, packet.tfar);
+    std::fill_n(packet.mask, kPacket, 0xffffffff);
 }
 
 }
 
-void EmbreeScene::closest(std::span<const Ray> rays, std::vector<float>& answers) const {
+void EmbreeScene::closest(const RayColumns& rays, std::vector<float>& answers) const {
+    static_assert(kPacket <= RayColumns::kSpare);
     RTCIntersectContext context = coherent();
     RTCRayHit16 packet{};
-    for (std::size_t first = 0; first < rays.size(); first += kPacket) {
-        const std::size_t count = std::min(kPacket, rays.size() - first);
-        put(packet.ray, rays.subspan(first, count));
+    for (std::size_t first = 0; first < rays.size; first += kPacket) {
+        const std::size_t count = std::min(kPacket, rays.size - first);
+        put(packet.ray, rays, first);
         std::fill_n(packet.hit.geomID, kPacket, RTC_INVALID_GEOMETRY_ID);
         const Valid valid(count);
         rtcIntersect16(valid.lane, handles_->scene, &context, &packet);
@@ -129,12 +131,12 @@ void EmbreeScene::closest(std::span<const Ray> rays, std::vector<float>& answers
     }
 }
 
-void EmbreeScene::any(std::span<const Ray> rays, std::vector<float>& answers) const {
+void EmbreeScene::any(const RayColumns& rays, std::vector<float>& answers) const {
     RTCIntersectContext context = coherent();
     RTCRay16 packet{};
-    for (std::size_t first = 0; first < rays.size(); first += kPacket) {
-        const std::size_t count = std::min(kPacket, rays.size() - first);
-        put(packet, rays.subspan(first, count));
+    for (std::size_t first = 0; first < rays.size; first += kPacket) {
+        const std::size_t count = std::min(kPacket, rays.size - first);
+        put(packet, rays, first);
         const Valid valid(count);
         rtcOccluded16(valid.lane, handles_->scene, &context, &packet);
         for (std::size_t i = 0; i < count; ++i) answers[first + i] = packet.tfar[i] < 0 ? 1.0F : 0.0F;

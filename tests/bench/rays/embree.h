@@ -2,11 +2,11 @@
 // Embree as a peer: the same mesh, the same rays, in the same process.
 
 #include <memory>
-#include <span>
 #include <vector>
 
 #include "core/geometry/mesh.h"
 #include "core/geometry/ray.h"
+#include "tests/bench/rays/ray_columns.h"
 
 namespace eyeray::bench {
 
@@ -21,8 +21,8 @@ public:
     float closest(const Ray&) const;
     bool any(const Ray&) const;
     /// The same of many rays, sixteen at a time and declared as coherent: t, or 1 and 0.
-    void closest(std::span<const Ray>, std::vector<float>& answers) const;
-    void any(std::span<const Ray>, std::vector<float>& answers) const;
+    void closest(const RayColumns&, std::vector<float>& answers) const;
+    void any(const RayColumns&, std::vector<float>& answers) const;
     /// Of the last build.
     double buildSeconds() const { return buildSeconds_; }
     /// Memory that Embree took for the last build.

@@ -28,9 +28,17 @@ double secondsOf(const std::function<void()>& work) {
 /// Answers of one tracer to one set of rays: t of the closest hit, or 1 and 0.
 using Answers = std::vector<float>;
 
+/// Rays as single ones, and in the columns that packets are taken from.
+struct Rays {
+    explicit Rays(RaySet rays) : set(std::move(rays)), columns(set.rays) {}
+
+    RaySet set;
+    RayColumns columns;
+};
+
 struct Tracer {
     std::string name;
-    std::function<void(const RaySet&, Answers&)> trace;
+    std::function<void(const Rays&, Answers&)> trace;
     double buildSeconds = 0;
     std::size_t bytes = 0; // 0: not of its own
 };
@@ -53,33 +61,36 @@ Tracer ours(std::string name, const TestMesh& test) {
     const double seconds = secondsOf([&] {
         *scene = indexInstances<Index>({{.placement = {}, .geometry = indexMesh<Index>(test.mesh, {})}}, {});
     });
-    const auto trace = [scene](const RaySet& set, Answers& answers) { traceSingly(*scene, set, answers); };
+    const auto trace = [scene](const Rays& rays, Answers& answers) {
+        traceSingly(*scene, rays.set, answers);
+    };
     return {std::move(name), trace, seconds, scene->bytes};
 }
 
 Tracer inPackets(const TestMesh& test) {
     auto scene = std::make_shared<const IndexedGeometry<Bvh8>>(
         indexInstances<Bvh8>({{.placement = {}, .geometry = indexMesh<Bvh8>(test.mesh, {})}}, {}));
-    const auto trace = [scene](const RaySet& set, Answers& answers) {
-        if (set.anyHit)
-            traceSingly(*scene, set, answers); // as streams do
+    const auto trace = [scene](const Rays& rays, Answers& answers) {
+        if (rays.set.anyHit)
+            traceSingly(*scene, rays.set, answers); // as streams do
         else
-            tracePackets(*scene, set.rays, answers);
+            tracePackets(*scene, rays.columns, answers);
     };
     return {.name = "bvh8, packets", .trace = trace};
 }
 
 Tracer embreePackets(const TestMesh& test) {
     auto scene = std::make_shared<const EmbreeScene>(*test.mesh, false);
-    const auto trace = [scene](const RaySet& set, Answers& answers) {
-        set.anyHit ? scene->any(set.rays, answers) : scene->closest(set.rays, answers);
+    const auto trace = [scene](const Rays& rays, Answers& answers) {
+        rays.set.anyHit ? scene->any(rays.columns, answers) : scene->closest(rays.columns, answers);
     };
     return {.name = "Embree, packets", .trace = trace};
 }
 
 Tracer embree(std::string name, const TestMesh& test, bool robust) {
     auto scene = std::make_shared<EmbreeScene>(*test.mesh, robust);
-    const auto trace = [scene](const RaySet& set, Answers& answers) {
+    const auto trace = [scene](const Rays& rays, Answers& answers) {
+        const RaySet& set = rays.set;
         for (std::size_t i = 0; i < set.rays.size(); ++i)
             answers[i] = set.anyHit ? (scene->any(set.rays[i]) ? 1.0F : 0.0F) : scene->closest(set.rays[i]);
     };
@@ -108,11 +119,12 @@ void compare(const TestMesh& test) {
     std::vector<std::vector<double>> speeds(tracers.size());
     std::vector<std::vector<std::size_t>> differ(tracers.size());
     for (const RaySet& set : sets) {
+        const Rays rays(set);
         std::vector<Answers> answers(tracers.size(), Answers(set.rays.size()));
         std::vector<std::vector<double>> seconds(tracers.size());
         for (int round = 0; round < kRounds; ++round)
             for (std::size_t i = 0; i < tracers.size(); ++i)
-                seconds[i].push_back(secondsOf([&] { tracers[i].trace(set, answers[i]); }));
+                seconds[i].push_back(secondsOf([&] { tracers[i].trace(rays, answers[i]); }));
         for (std::size_t i = 0; i < tracers.size(); ++i) {
             speeds[i].push_back(static_cast<double>(set.rays.size()) * 1e-6 / seriesOf(seconds[i]).median);
             differ[i].push_back(differences(answers[i], answers[1]));

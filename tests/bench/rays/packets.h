@@ -4,10 +4,11 @@
 #include <span>
 
 #include "core/geometry/accel.h"
+#include "tests/bench/rays/ray_columns.h"
 
 namespace eyeray::bench {
 
 /// t of the closest hit of each ray, infinite if there is none.
-void tracePackets(const IndexedGeometry<Bvh8>&, std::span<const Ray>, std::span<float> answers);
+void tracePackets(const IndexedGeometry<Bvh8>&, const RayColumns&, std::span<float> answers);
 
 }
