@@ -120,6 +120,28 @@ TEST(RenderSession, HeldAtANumberOfSamplesItWaitsThereAndGoesOn) {
     session.stop(); // must not wait for the hold
 }
 
+TEST(RenderSession, GivesWayAndGoesOnToTheSamePicture) {
+    const auto world = worldOf(balls());
+    RenderSession session(2);
+    session.holdAt(2);
+    session.start(world, world->scene->cameras.front(), settingsFor(6));
+    while (session.status().samples < 2) session.wait(1ms);
+    session.giveWay();
+    session.holdAt(0);
+    session.wait(50ms);
+    EXPECT_EQ(session.status().samples, 2);
+    EXPECT_EQ(session.status().phase, Phase::Refining) << "held, but not by a person";
+    session.goOn();
+    while (session.wait(100ms).active()) {
+    }
+    EXPECT_EQ(session.image(), rendered(balls(), settingsFor(6), 1));
+    session.giveWay();
+    session.start(world, world->scene->cameras.front(), settingsFor(2));
+    while (session.wait(100ms).active()) {
+    }
+    EXPECT_EQ(session.status().samples, 2) << "the next picture waits for nobody";
+}
+
 TEST(RenderSession, GivesTheSameBitsOnAnyNumberOfThreads) {
     const ColorImage one = rendered(balls(), settingsFor(4), 1);
     EXPECT_EQ(one, rendered(balls(), settingsFor(4), 2));

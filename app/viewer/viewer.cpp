@@ -226,6 +226,7 @@ bool Viewer::mustBuild() const {
 void Viewer::startBuilding() {
     builtScene_ = document().scene;
     builtIndex_ = wantedIndex();
+    session_->giveWay(); // what it traces will not be shown
     building_.start([scene = builtScene_, settings = BuildSettings{builtIndex_}, previous = world_,
                      refits = history_->inGesture()](const std::stop_token& stop) {
         return refits && previous ? refitWorld(scene, settings, *previous, stop)
@@ -241,6 +242,7 @@ bool Viewer::takeBuilt() {
         return true;
     } catch (const std::exception& error) {
         world_ = nullptr;
+        session_->goOn();
         report(Notice::Kind::Error, error.what());
         return true;
     }

@@ -81,6 +81,7 @@ void RenderSession::start(std::shared_ptr<const World> world, const Camera& came
         running_->stop.request_stop();
     }
     pending_ = std::move(job);
+    givesWay_ = false;
     changed_.notify_all();
 }
 
@@ -104,6 +105,18 @@ void RenderSession::pause() {
 void RenderSession::resume() {
     const std::scoped_lock lock(mutex_);
     paused_ = false;
+    changed_.notify_all();
+}
+
+void RenderSession::giveWay() {
+    const std::scoped_lock lock(mutex_);
+    givesWay_ = true;
+    if (running_ && running_->status.phase == Phase::Refining) running_->stop.request_stop();
+}
+
+void RenderSession::goOn() {
+    const std::scoped_lock lock(mutex_);
+    givesWay_ = false;
     changed_.notify_all();
 }
 
@@ -319,7 +332,7 @@ bool RenderSession::tracePass(Job& job, int pass) {
     const auto start = Clock::now();
     {
         const std::scoped_lock lock(mutex_);
-        if (job.cancelled || paused_) return false;
+        if (job.cancelled || paused_ || givesWay_) return false;
         job.stop = std::stop_source();
         job.tilesDone = 0;
     }
@@ -358,7 +371,7 @@ bool RenderSession::tracePass(Job& job, int pass) {
 /// False if the job was cancelled meanwhile.
 bool RenderSession::waitWhileHeld(Job& job) {
     std::unique_lock lock(mutex_);
-    while (!job.cancelled && (paused_ || (holdAt_ > 0 && job.passes >= holdAt_))) {
+    while (!job.cancelled && (paused_ || givesWay_ || (holdAt_ > 0 && job.passes >= holdAt_))) {
         job.status.phase = paused_ ? Phase::Paused : Phase::Refining;
         changed_.wait(lock);
     }

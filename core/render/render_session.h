@@ -62,6 +62,11 @@ public:
     /// Two sessions that are to be compared are led from number to number so.
     void holdAt(int samples);
 
+    /// Leaves all cores to others, as to the building of a World, until goOn() or the next start(). The
+    /// picture shown stays; coarse ones are still traced.
+    void giveWay();
+    void goOn();
+
     /// Tiles near this pixel come first, from the next picture on; by default those in the middle.
     void setFocus(DVec2 pixel) { focus_ = pixel; }
     void clearFocus() { focus_ = DVec2(-1); }
@@ -120,7 +125,7 @@ private:
     std::condition_variable_any changed_;
     std::shared_ptr<Job> pending_, running_; // to be traced next, being traced
     std::shared_ptr<Job> shown_, last_;      // whose picture read() shows; the last that ended
-    bool paused_ = false;
+    bool paused_ = false, givesWay_ = false;
     int holdAt_ = 0;
 
     std::jthread coordinator_;

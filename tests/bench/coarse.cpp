@@ -71,7 +71,10 @@ void edit(const std::string& scene) {
         const Document changed = apply(document, editor.next(document));
         const auto start = Clock::now();
         const bool rebuild = changed.scene != document.scene;
-        if (rebuild) world = buildWorld(changed.scene, buildSettings(changed), world.get());
+        if (rebuild) {
+            session.giveWay();
+            world = buildWorld(changed.scene, buildSettings(changed), world.get());
+        }
         const double build = secondsSince(start);
         session.start(world, changed.camera, changed.render);
         const double seconds = awaitCoarse(session).secondsToCoarse;
