@@ -114,10 +114,10 @@ Geometry alone(TriangleMesh mesh, const DVec3& at = DVec3(0)) {
 std::vector<Ray> square(const Vec3& from, const Vec3& target, float width, float spreadOfOrigins = 0) {
     const Frame frame = Frame::around(glm::normalize(target - from));
     std::vector<Ray> rays;
-    for (int y = 0; y < 8; ++y)
+    for (int y = 0; y < 16; ++y) // 128 rays: eight registers of sixteen
         for (int x = 0; x < 8; ++x) {
             const Vec3 offset = (static_cast<float>(x) / 8 - 0.5F) * frame.tangent +
-                                (static_cast<float>(y) / 8 - 0.5F) * frame.bitangent;
+                                (static_cast<float>(y) / 16 - 0.5F) * frame.bitangent;
             const Vec3 origin = from + spreadOfOrigins * offset;
             rays.push_back({.origin = origin, .direction = glm::normalize(target + width * offset - origin)});
         }
@@ -180,6 +180,25 @@ TEST(Packet, FindsThemOfOneMesh) {
             }
             EXPECT_GT(met, 20'000);
         }
+    });
+}
+
+TEST(Packet, FindsThemAmongTrianglesSmallerThanTheGapsBetweenRays) {
+    withEachInstructionSet([] {
+        Random random(6);
+        const Geometry scene = alone(cases::closedMesh(80, 120, 0.5, 0.3));
+        int met = 0;
+        for (int i = 0; i < 100; ++i) {
+            const Vec3 target(random.inCube(0.5));
+            // Half of them with rays that are longest along different axes.
+            const Vec3 along =
+                i % 2 == 0 ? Vec3(random.inCube(1)) : Vec3(1, -1, 1) + Vec3(random.inCube(0.02));
+            for (const float spreadOfOrigins : {0.0F, 0.02F})
+                met += expectTheHitsOfSingleRays(
+                    scene, square(target + 50.0F * glm::normalize(along), target, 1, spreadOfOrigins));
+            if (testing::Test::HasFailure()) FAIL() << "packet " << i;
+        }
+        EXPECT_GT(met, 10'000);
     });
 }
 

@@ -9,11 +9,6 @@
 namespace eyeray {
 namespace {
 
-Bounds boxOf(const Bvh8::Node& node, std::size_t lane) {
-    const auto& [lo, hi] = node.corners;
-    return {{lo[0][lane], lo[1][lane], lo[2][lane]}, {hi[0][lane], hi[1][lane], hi[2][lane]}};
-}
-
 void setBox(Bvh8::Node& node, std::size_t lane, const Bounds& box) {
     for (int axis = 0; axis < 3; ++axis) {
         const auto a = static_cast<std::size_t>(axis);
@@ -24,7 +19,7 @@ void setBox(Bvh8::Node& node, std::size_t lane, const Bounds& box) {
 
 Bounds boundsOf(const Bvh8::Node& node) {
     Bounds box;
-    for (std::size_t lane = 0; lane < Bvh8::kWidth; ++lane) box.add(boxOf(node, lane)); // or nothing
+    for (std::size_t lane = 0; lane < Bvh8::kWidth; ++lane) box.add(Bvh8::boxOf(node, lane)); // or nothing
     return box;
 }
 

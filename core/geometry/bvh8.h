@@ -52,6 +52,10 @@ public:
         return static_cast<unsigned>(
             std::ranges::count_if(node.corners[0][0], [](float x) { return x < kInfinity; }));
     }
+    static Bounds boxOf(const Node& node, std::size_t child) {
+        const auto& [lo, hi] = node.corners;
+        return {{lo[0][child], lo[1][child], lo[2][child]}, {hi[0][child], hi[1][child], hi[2][child]}};
+    }
     std::size_t bytes() const {
         return nodes_.size() * sizeof(Node) + entries_.size() * sizeof(std::uint32_t);
     }

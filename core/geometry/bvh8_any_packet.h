@@ -37,7 +37,8 @@ private:
         const PacketSlab slab(rays_, kRow, geometry_.top.bounds());
         if (!slab.coherent()) return singly();
         askAlways();
-        const auto leaf = [&](std::uint32_t first, std::uint32_t count) HWY_ATTR {
+        const auto leaf = [&](const Bvh8::Node& node, std::size_t child) HWY_ATTR {
+            const auto [first, count] = Bvh8::leafOf(node.child[child]);
             for (std::uint32_t slot = first; slot < first + count; ++slot)
                 inInstance(geometry_.top.entries()[slot]);
         };

@@ -11,11 +11,16 @@
 HWY_BEFORE_NAMESPACE();
 namespace eyeray::HWY_NAMESPACE {
 
+/// Calls each(number of the bit) for the bits that are set.
+template <class Each>
+HWY_INLINE void eachBit(std::uint32_t bits, const Each& each) {
+    for (; bits != 0; bits &= bits - 1) each(static_cast<std::size_t>(std::countr_zero(bits)));
+}
+
 /// Calls each(lane) for the lanes of a mask.
 template <class Each>
 HWY_INLINE void eachLane(FloatMask mask, const Each& each) {
-    for (std::uint32_t bits = bitsOf(mask); bits != 0; bits &= bits - 1)
-        each(static_cast<std::size_t>(std::countr_zero(bits)));
+    eachBit(bitsOf(mask), each);
 }
 
 /// Hits in lanes: t is infinite where there is none.

@@ -11,7 +11,8 @@ namespace eyeray {
 /// Equal t: the lower (instance, primitive) wins, in whatever order they come.
 class NearestHit {
 public:
-    explicit NearestHit(const Ray& ray) : limit_(ray.tMax) {}
+    explicit NearestHit(float tMax) : limit_(tMax) {}
+    explicit NearestHit(const Ray& ray) : NearestHit(ray.tMax) {}
 
     void offer(const Hit& hit) {
         if (hit.t < best_.t ||

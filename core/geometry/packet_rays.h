@@ -23,11 +23,14 @@ inline constexpr std::size_t kMostRows = Bvh8::kWidth;
 /// A number for each row.
 using OfRows = Bvh8::Node::Lanes;
 
+/// Which rays of each row are meant, a bit each.
+using Asked = std::array<std::uint32_t, kMostRows>;
+
 /// Rays, a register of them in each row.
 struct PacketRays {
     std::array<RayLanes, kMostRows> rows;
-    std::array<std::uint32_t, kMostRows> asked{}; // rays that are meant, a bit each
-    std::size_t count = 0;                        // of rows
+    Asked asked{};
+    std::size_t count = 0; // of rows
 
     /// One ray at least.
     void add(const RayLanes& row, std::uint32_t rays) { rows[count] = row, asked[count++] = rays; }
@@ -53,6 +56,13 @@ HWY_INLINE std::uint32_t bitsFrom(hn::Mask<Floats> mask) {
     return bits[0];
 }
 
+/// The rays whose directions are longest along each axis, as longestAxis has it, a bit each.
+HWY_INLINE std::array<std::uint32_t, 3> byLongestAxis(const Vec3Lanes& direction) {
+    const Vec3Lanes size = abs(direction);
+    const std::uint32_t x = bitsOf(size.x > size.y), xOrY = bitsOf(hn::Max(size.x, size.y) > size.z);
+    return {xOrY & x, xOrY & ~x, ~xOrY};
+}
+
 /// What numbers lie between.
 struct Range {
     float low, high;
@@ -64,8 +74,8 @@ struct RangeLanes {
 
     RangeLanes() : low(all(kInfinity)), high(all(-kInfinity)) {}
     HWY_INLINE void add(FloatLanes v, FloatMask asked) {
-        low = hn::Min(low, hn::IfThenElse(asked, v, low)),
-        high = hn::Max(high, hn::IfThenElse(asked, v, high));
+        low = hn::IfThenElse(asked, hn::Min(low, v), low),
+        high = hn::IfThenElse(asked, hn::Max(high, v), high);
     }
     HWY_INLINE Range ends() const {
         const FloatTag f;
@@ -73,17 +83,15 @@ struct RangeLanes {
     }
 };
 
-/// What a number of the rays lies between: of each row, and of all.
+/// What a number of the rays of each row lies between.
 struct RowRanges {
     alignas(32) OfRows low{}, high{};
-    Range whole{kInfinity, -kInfinity};
 
     HWY_INLINE void set(std::size_t row, FloatLanes v, FloatMask asked) {
         RangeLanes range;
         range.add(v, asked);
         const Range ends = range.ends();
         low[row] = ends.low, high[row] = ends.high;
-        whole.low = std::min(whole.low, ends.low), whole.high = std::max(whole.high, ends.high);
     }
 };
 

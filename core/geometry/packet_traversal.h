@@ -24,8 +24,8 @@ HWY_INLINE float largest(const OfRows& values, Rows rows) {
     return hn::GetLane(hn::MaxOfLanes(d, most));
 }
 
-/// Calls leaf(first slot, slots) for leaves that rays may meet before the largest of their rows' limits,
-/// roughly from near to far. The limits may shrink meanwhile.
+/// Calls leaf(node, which of its children) for leaves that rays may meet before the largest of their rows'
+/// limits, roughly from near to far. The limits may shrink meanwhile.
 template <class Leaf>
 void traverse(const Bvh8& tree, const PacketSlab& slab, const OfRows& limits, Rows rows, const Leaf& leaf) {
     struct Pending {
@@ -58,8 +58,7 @@ void traverse(const Bvh8& tree, const PacketSlab& slab, const OfRows& limits, Ro
             open(child);
             continue;
         }
-        const auto [first, count] = Bvh8::leafOf(child);
-        leaf(first, count);
+        leaf(node, next.slot);
         limit = largest(limits, rows);
     }
 }

@@ -20,6 +20,19 @@ struct ShearLanes {
         latest; // a little less, or more, than the inverse of the direction along the third axis
 };
 
+/// The same for one ray after the other.
+struct ShearSpread {
+    Spread3 origin, direction;
+    Spread sx, sy;
+
+    explicit ShearSpread(const ShearLanes& shear)
+        : origin(spread(shear.origin)), direction(spread(shear.direction)), sx(spread(shear.sx)),
+          sy(spread(shear.sy)) {}
+    RayShear at(std::size_t lane, const std::array<std::size_t, 3>& axes) const {
+        return {axes, toArray(origin.at(lane)), toArray(direction.at(lane)), sx.lane[lane], sy.lane[lane]};
+    }
+};
+
 /// What is known of a triangle before its areas in double: their signs in float are right or zero whatever
 /// the rounding.
 struct TriangleLanes {
@@ -28,90 +41,170 @@ struct TriangleLanes {
     FloatLanes soonest, latest; // bounds of t: it lies between those of the corners
 };
 
-/// A triangle of turned corners.
-struct TurnedTriangle {
-    TriangleCorners corners, fromOrigin; // the latter if all rays begin at one
-    DVec3 first, normal;
-
-    TurnedTriangle(const TriangleCorners& turned, const std::array<float, 3>& origin)
-        : corners(turned), fromOrigin(turned), first(detail::toDouble(turned[0])),
-          normal(glm::cross(detail::toDouble(turned[1]) - first, detail::toDouble(turned[2]) - first)) {
-        for (auto& corner : fromOrigin)
-            for (std::size_t axis = 0; axis < 3; ++axis) corner[axis] -= origin[axis];
+/// The triangles of a leaf as a packet sees them: along the axes of its shear, and from the origin if all
+/// rays begin at one.
+template <bool kOneOrigin>
+class TurnedTriangles {
+public:
+    TurnedTriangles(const TriangleBlock& block, const std::array<std::size_t, 3>& axes,
+                    const std::array<float, 3>& origin)
+        : block_(block), axes_(axes) {
+        const Floats d;
+        for (std::size_t corner = 0; corner < 3; ++corner)
+            for (std::size_t i = 0; i < 3; ++i)
+                for (std::size_t lane = 0; lane < Bvh8::kWidth; lane += hn::Lanes(d)) {
+                    const auto at = hn::Load(d, &block.corners[corner][axes[i]][lane]);
+                    hn::Store(kOneOrigin ? hn::Sub(at, hn::Set(d, origin[i])) : at, d, &at_[corner][i][lane]);
+                }
     }
+
+    /// One coordinate of a corner of all triangles, or of one.
+    const Bvh8::Node::Lanes& at(std::size_t corner, std::size_t axis) const { return at_[corner][axis]; }
+    float at(std::size_t triangle, std::size_t corner, std::size_t axis) const {
+        return at_[corner][axis][triangle];
+    }
+
+    TriangleCorners corners(std::size_t triangle) const { return block_.turned(triangle, axes_); }
+
+    /// As in detail::finishTriangle.
+    struct Plane {
+        DVec3 first, normal;
+    };
+    const Plane& plane(std::size_t triangle) {
+        if ((known_ >> triangle & 1U) == 0) {
+            const TriangleCorners turned = corners(triangle);
+            const DVec3 first = detail::toDouble(turned[0]);
+            planes_[triangle] = {
+                first, glm::cross(detail::toDouble(turned[1]) - first, detail::toDouble(turned[2]) - first)};
+            known_ |= 1U << triangle;
+        }
+        return planes_[triangle];
+    }
+
+private:
+    alignas(32) std::array<std::array<Bvh8::Node::Lanes, 3>, 3> at_; // by corner, axis, triangle
+    const TriangleBlock& block_;
+    const std::array<std::size_t, 3>& axes_;
+    std::uint32_t known_ = 0; // planes, a bit each
+    std::array<Plane, Bvh8::kWidth> planes_;
 };
 
-/// Rays of a packet prepared for tests against triangles; whether they begin at one point, is known.
+/// Rays of a packet whose directions are longest along the same axis, prepared for tests against triangles.
+/// Whether they begin at one point, is known.
 template <bool kOneOrigin>
 class PacketShear {
 public:
-    PacketShear(const PacketRays& rays, Rows rows) : rows_(rows) {
-        const auto lane = static_cast<std::size_t>(std::countr_zero(rays.asked[rows.first]));
-        const RayShear shear(RaySpread(rays.rows[rows.first]).at(lane));
+    /// `asked`: which rays, a bit each; some in one of the rows at least.
+    PacketShear(const PacketRays& rays, const Asked& asked, Rows rows) {
+        std::size_t first = rows.first;
+        while (asked[first] == 0) ++first;
+        const auto lane = static_cast<std::size_t>(std::countr_zero(asked[first]));
+        const RayShear shear(RaySpread(rays.rows[first]).at(lane));
         axes_ = shear.axes;
         origin_ = shear.origin;
         forward_ = shear.direction[2] > 0;
-        for (std::size_t row = rows.first; row < rows.end; ++row)
-            set(row, rays.rows[row], maskOf(rays.asked[row]));
+        for (std::size_t row = first; row < rows.end; ++row)
+            if (asked[row] != 0) set(row, rays.rows[row], maskOf(asked[row]));
     }
-
-    /// Whether the direction of all rays is longest along the same axis; else the tests below do not hold.
-    bool aligned() const { return aligned_; }
 
     const std::array<std::size_t, 3>& axes() const { return axes_; }
     const ShearLanes& row(std::size_t i) const { return shears_[i]; }
     const std::array<float, 3>& origin() const { return origin_; }
 
-    /// Which triangles of a block any ray may meet before `limit`, a bit each.
-    std::uint32_t mayMeet(const TriangleBlock& block, float limit) const {
+    /// Rows that have rays, a bit each.
+    std::uint32_t rows() const { return rows_; }
+
+    /// Which rows have rays that may meet a triangle in a box before their own limit, a bit each.
+    std::uint32_t rowsThatMayMeet(const Bounds& box, const OfRows& limits) const {
         const Floats d;
+        std::uint32_t met = 0;
+        for (std::size_t lane = 0; lane < kMostRows; lane += hn::Lanes(d)) {
+            const auto fromOrigin = [&](std::size_t i) HWY_ATTR {
+                const auto axis = static_cast<int>(axes_[i]);
+                const float low = box.lo[axis], high = box.hi[axis];
+                if constexpr (kOneOrigin)
+                    return Ends{hn::Set(d, low - origin_[i]), hn::Set(d, high - origin_[i])};
+                else
+                    return Ends{hn::Sub(hn::Set(d, low), hn::Load(d, &origins_[i].high[lane])),
+                                hn::Sub(hn::Set(d, high), hn::Load(d, &origins_[i].low[lane]))};
+            };
+            const Ends z = fromOrigin(2);
+            const auto sheared = [&](std::size_t i) HWY_ATTR {
+                const Ends slope{hn::Load(d, &slopes_[i].low[lane]), hn::Load(d, &slopes_[i].high[lane])};
+                return shearedBetween(fromOrigin(i), slope, z);
+            };
+            const auto beyond = hn::Mul(hn::Load(d, &limits[lane]), hn::Load(d, &along_[lane]));
+            met |= bitsFrom(hn::Not(missed(sheared(0), sheared(1), z, beyond))) << lane;
+        }
+        return met & rows_;
+    }
+
+    /// Which of the `asked` rays of a row may meet a triangle in a box before their limits.
+    FloatMask raysThatMayMeet(const Bounds& box, std::size_t row, FloatMask asked, FloatLanes limits) const {
+        const ShearLanes& shear = shears_[row];
+        const auto from = [&](std::size_t i, FloatLanes origin) HWY_ATTR {
+            const auto axis = static_cast<int>(axes_[i]);
+            return std::pair(all(box.lo[axis]) - origin, all(box.hi[axis]) - origin);
+        };
+        const auto [zLow, zHigh] = from(2, shear.origin.z);
+        const auto zero = hn::Zero(FloatTag());
+        const auto beside = [&](const auto& at, FloatLanes slope) HWY_ATTR {
+            const auto p = slope * zLow, q = slope * zHigh;
+            return hn::Or(at.first - hn::Max(p, q) > zero, at.second - hn::Min(p, q) < zero);
+        };
+        const auto missed =
+            hn::Or(beside(from(0, shear.origin.x), shear.sx), beside(from(1, shear.origin.y), shear.sy));
+        const auto nearest = forward_ ? zLow : hn::Neg(zHigh), farthest = forward_ ? zHigh : hn::Neg(zLow);
+        const auto within = hn::And(farthest >= zero, nearest * shear.soonest < limits);
+        return hn::And(hn::AndNot(missed, within), asked);
+    }
+
+    /// Which triangles any ray of a row may meet before `limit`, a bit each.
+    std::uint32_t mayMeet(std::size_t row, const TurnedTriangles<kOneOrigin>& triangles, float limit) const {
+        const Floats d;
+        const auto beyond = hn::Set(d, limit * along_[row]);
+        const auto slopeOf = [&](std::size_t i) HWY_ATTR {
+            return Ends{hn::Set(d, slopes_[i].low[row]), hn::Set(d, slopes_[i].high[row])};
+        };
+        const Ends slopes[2] = {slopeOf(0), slopeOf(1)};
         std::uint32_t met = 0;
         for (std::size_t lane = 0; lane < Bvh8::kWidth; lane += hn::Lanes(d)) {
             const auto fromOrigin = [&](std::size_t corner, std::size_t i) HWY_ATTR {
-                const auto at = hn::Load(d, &block.corners[corner][axes_[i]][lane]);
+                const auto at = hn::Load(d, &triangles.at(corner, i)[lane]);
                 if constexpr (kOneOrigin)
-                    return fromOne(hn::Sub(at, hn::Set(d, origin_[i])));
+                    return Ends{at, at};
                 else
-                    return fromAny(at, hn::Set(d, origins_[i].whole.low), hn::Set(d, origins_[i].whole.high));
+                    return Ends{hn::Sub(at, hn::Set(d, origins_[i].high[row])),
+                                hn::Sub(at, hn::Set(d, origins_[i].low[row]))};
             };
-            const auto slope = [&](std::size_t i) HWY_ATTR {
-                return Ends{hn::Set(d, slopes_[i].whole.low), hn::Set(d, slopes_[i].whole.high)};
+            const Ends z[3] = {fromOrigin(0, 2), fromOrigin(1, 2), fromOrigin(2, 2)};
+            const auto sheared = [&](std::size_t i) HWY_ATTR {
+                const auto of = [&](std::size_t corner) HWY_ATTR {
+                    const Ends at = fromOrigin(corner, i);
+                    if constexpr (kOneOrigin)
+                        return shearedAt(at.low, slopes[i], z[corner].low);
+                    else
+                        return shearedBetween(at, slopes[i], z[corner]);
+                };
+                return around(of(0), of(1), of(2));
             };
-            met |= bitsFrom(hn::Not(missed(fromOrigin, slope, hn::Set(d, limit * mostAlong_)))) << lane;
+            met |= bitsFrom(hn::Not(missed(sheared(0), sheared(1), around(z[0], z[1], z[2]), beyond)))
+                   << lane;
         }
         return met;
     }
 
-    /// Which rows have rays that may meet a triangle before their own limit, a bit each.
-    std::uint32_t rowsThatMayMeet(const TurnedTriangle& triangle, const OfRows& limits) const {
-        const Floats d;
-        std::uint32_t met = 0;
-        for (std::size_t lane = 0; lane < kMostRows; lane += hn::Lanes(d)) {
-            const auto fromOrigin = [&](std::size_t corner, std::size_t i) HWY_ATTR {
-                if constexpr (kOneOrigin)
-                    return fromOne(hn::Set(d, triangle.fromOrigin[corner][i]));
-                else
-                    return fromAny(hn::Set(d, triangle.corners[corner][i]),
-                                   hn::Load(d, &origins_[i].low[lane]), hn::Load(d, &origins_[i].high[lane]));
-            };
-            const auto slope = [&](std::size_t i) HWY_ATTR {
-                return Ends{hn::Load(d, &slopes_[i].low[lane]), hn::Load(d, &slopes_[i].high[lane])};
-            };
-            const auto beyond = hn::Mul(hn::Load(d, &limits[lane]), hn::Load(d, &along_[lane]));
-            met |= bitsFrom(hn::Not(missed(fromOrigin, slope, beyond))) << lane;
-        }
-        return met & rows_.bits();
-    }
-
     /// The rays of a row against a triangle: as intersectCorners, but for its areas in double.
-    HWY_INLINE TriangleLanes test(std::size_t row, const TurnedTriangle& triangle, bool doubleSided) const {
+    HWY_INLINE TriangleLanes test(std::size_t row, const TurnedTriangles<kOneOrigin>& triangles,
+                                  std::size_t triangle, bool doubleSided) const {
         const ShearLanes& shear = shears_[row];
         const auto zero = hn::Zero(FloatTag());
         const auto from = [&](std::size_t corner, std::size_t axis, FloatLanes origin) HWY_ATTR {
+            const auto at = all(triangles.at(triangle, corner, axis));
             if constexpr (kOneOrigin)
-                return all(triangle.fromOrigin[corner][axis]);
+                return at;
             else
-                return all(triangle.corners[corner][axis]) - origin;
+                return at - origin;
         };
         const auto x = [&](std::size_t corner, FloatLanes z)
                            HWY_ATTR { return from(corner, 0, shear.origin.x) - shear.sx * z; };
@@ -138,16 +231,17 @@ public:
 
     /// t where rays of a row meet the plane of a triangle, as detail::finishTriangle; infinite behind the
     /// origin.
-    HWY_INLINE FloatLanes meetPlane(std::size_t row, const TurnedTriangle& triangle,
-                                    const TriangleLanes& at) const {
+    HWY_INLINE FloatLanes meetPlane(std::size_t row, TurnedTriangles<kOneOrigin>& triangles,
+                                    std::size_t triangle, const TriangleLanes& at) const {
         const ShearLanes& shear = shears_[row];
-        const DVec3Lanes direction = widen(shear.direction), normal = all(triangle.normal);
+        const auto& [first, normalOfPlane] = triangles.plane(triangle);
+        const DVec3Lanes direction = widen(shear.direction), normal = all(normalOfPlane);
         const DVec3Lanes origin = kOneOrigin ? all(detail::toDouble(origin_)) : widen(shear.origin);
         DoubleLanes distance;
         if constexpr (kOneOrigin)
-            distance = all(glm::dot(triangle.normal, triangle.first - detail::toDouble(origin_)));
+            distance = all(glm::dot(normalOfPlane, first - detail::toDouble(origin_)));
         else
-            distance = dot(normal, all(triangle.first) - origin);
+            distance = dot(normal, all(first) - origin);
         const auto approach = dot(normal, direction);
         const auto plane = distance / approach; // not a number for a triangle that is seen edge-on
         const FloatLanes rounded = narrow(plane);
@@ -156,8 +250,9 @@ public:
         const auto ahead = at.soonest > hn::Zero(FloatTag());
         if (hn::AllTrue(FloatTag(), hn::Or(hn::And(inside, ahead), hn::Not(at.certain)))) return rounded;
         const auto along = abs(direction.z), sign = copySign(all(1.0), direction.z);
+        const TriangleCorners corners = triangles.corners(triangle);
         const auto z = [&](std::size_t corner) HWY_ATTR {
-            return sign * (all(static_cast<double>(triangle.corners[corner][2])) - origin.z);
+            return sign * (all(static_cast<double>(corners[corner][2])) - origin.z);
         };
         const auto a = z(0), b = z(1), c = z(2);
         const auto nearest = min(a, min(b, c)), farthest = max(a, max(b, c));
@@ -179,57 +274,40 @@ private:
         shear.sy = shear.direction.y / shear.direction.z;
         const auto along = hn::Abs(shear.direction.z), inverse = all(1.0F) / along;
         shear.soonest = inverse * all(1 / kBeyond), shear.latest = inverse * all(kBeyond);
-        aligned_ = aligned_ && hn::AllFalse(FloatTag(), hn::AndNot(longestAlong(rays.direction), asked));
         if constexpr (!kOneOrigin) {
             origins_[0].set(row, shear.origin.x, asked), origins_[1].set(row, shear.origin.y, asked);
             origins_[2].set(row, shear.origin.z, asked);
         }
         slopes_[0].set(row, shear.sx, asked), slopes_[1].set(row, shear.sy, asked);
         along_[row] = hn::GetLane(hn::MaxOfLanes(FloatTag(), hn::IfThenElseZero(asked, along))) * kBeyond;
-        mostAlong_ = std::max(mostAlong_, along_[row]);
-    }
-
-    /// As RayShear chooses it.
-    FloatMask longestAlong(const Vec3Lanes& direction) const {
-        const Vec3Lanes size = abs(direction);
-        const auto x = size.x > size.y;
-        const auto ofXY = hn::Max(size.x, size.y) > size.z;
-        if (axes_[2] == 2) return hn::Not(ofXY);
-        return hn::And(ofXY, axes_[2] == 0 ? x : hn::Not(x));
+        rows_ |= 1U << row;
     }
 
     using Lanes = hn::VFromD<Floats>;
     struct Ends {
         Lanes low, high;
     };
-    static HWY_INLINE Ends fromOne(Lanes distance) { return {distance, distance}; }
-    static HWY_INLINE Ends fromAny(Lanes at, Lanes low, Lanes high) {
-        return {hn::Sub(at, high), hn::Sub(at, low)};
+    static HWY_INLINE Ends around(const Ends& a, const Ends& b, const Ends& c) {
+        return {hn::Min(a.low, hn::Min(b.low, c.low)), hn::Max(a.high, hn::Max(b.high, c.high))};
     }
 
-    /// Where all corners of triangles lie on the same side of all rays along an axis of their shear, behind
-    /// all origins, or beyond all limits. fromOrigin(corner, axis) and slope(axis) are of several rays, and
-    /// so what test() computes lies between bounds that are computed alike, for rounding is monotonic.
-    template <class FromOrigin, class Slope>
-    HWY_INLINE hn::Mask<Floats> missed(const FromOrigin& fromOrigin, const Slope& slope, Lanes beyond) const {
+    /// What test() computes for several rays, from places and slopes between these ends, lies between the
+    /// ends that are computed here in the same way, for rounding is monotonic.
+    static HWY_INLINE Ends shearedAt(Lanes at, const Ends& slope, Lanes z) {
+        const auto p = hn::Mul(slope.low, z), q = hn::Mul(slope.high, z);
+        return {hn::Sub(at, hn::Max(p, q)), hn::Sub(at, hn::Min(p, q))};
+    }
+    static HWY_INLINE Ends shearedBetween(const Ends& at, const Ends& slope, const Ends& z) {
+        const auto p = hn::Mul(slope.low, z.low), q = hn::Mul(slope.high, z.low);
+        const auto r = hn::Mul(slope.low, z.high), s = hn::Mul(slope.high, z.high);
+        return {hn::Sub(at.low, hn::Max(hn::Max(p, q), hn::Max(r, s))),
+                hn::Sub(at.high, hn::Min(hn::Min(p, q), hn::Min(r, s)))};
+    }
+
+    /// Whether what lies between sheared ends lies on one side of all rays along an axis, behind all origins,
+    /// or beyond all limits.
+    HWY_INLINE hn::Mask<Floats> missed(const Ends& x, const Ends& y, const Ends& z, Lanes beyond) const {
         const auto zero = hn::Zero(Floats());
-        const auto sheared = [&](std::size_t corner, std::size_t axis, const Ends& z) HWY_ATTR {
-            const Ends at = fromOrigin(corner, axis), by = slope(axis);
-            const auto p = hn::Mul(by.low, z.low), q = hn::Mul(by.high, z.low);
-            auto low = hn::Min(p, q), high = hn::Max(p, q);
-            if constexpr (!kOneOrigin) {
-                const auto r = hn::Mul(by.low, z.high), s = hn::Mul(by.high, z.high);
-                low = hn::Min(low, hn::Min(r, s)), high = hn::Max(high, hn::Max(r, s));
-            }
-            return Ends{hn::Sub(at.low, high), hn::Sub(at.high, low)};
-        };
-        const auto around = [](const Ends& a, const Ends& b, const Ends& c) HWY_ATTR {
-            return Ends{hn::Min(a.low, hn::Min(b.low, c.low)), hn::Max(a.high, hn::Max(b.high, c.high))};
-        };
-        const Ends a = fromOrigin(0, 2), b = fromOrigin(1, 2), c = fromOrigin(2, 2);
-        const Ends x = around(sheared(0, 0, a), sheared(1, 0, b), sheared(2, 0, c));
-        const Ends y = around(sheared(0, 1, a), sheared(1, 1, b), sheared(2, 1, c));
-        const Ends z = around(a, b, c);
         const auto aside = hn::Or(hn::Gt(hn::Max(x.low, y.low), zero), hn::Lt(hn::Min(x.high, y.high), zero));
         const auto outside = forward_ ? hn::Or(hn::Lt(z.high, zero), hn::Gt(z.low, beyond))
                                       : hn::Or(hn::Gt(z.low, zero), hn::Lt(z.high, hn::Neg(beyond)));
@@ -239,12 +317,11 @@ private:
     std::array<ShearLanes, kMostRows> shears_;
     std::array<RowRanges, 3> origins_;
     std::array<RowRanges, 2> slopes_;
-    alignas(32) OfRows along_{}; // the third axis, the most of each row, and of all
-    Rows rows_;
+    alignas(32) OfRows along_{}; // the third axis, the most of each row
     std::array<std::size_t, 3> axes_;
     std::array<float, 3> origin_; // of the first ray, turned
-    float mostAlong_ = 0;
-    bool forward_ = true, aligned_ = true;
+    std::uint32_t rows_ = 0;
+    bool forward_ = true;
 };
 
 }

@@ -33,6 +33,10 @@ struct RayShear {
         sx = direction[0] / direction[2];
         sy = direction[1] / direction[2];
     }
+    /// Of parts that are known.
+    RayShear(const std::array<std::size_t, 3>& turnedAxes, const std::array<float, 3>& turnedOrigin,
+             const std::array<float, 3>& turnedDirection, float shearX, float shearY)
+        : axes(turnedAxes), origin(turnedOrigin), direction(turnedDirection), sx(shearX), sy(shearY) {}
 
     /// A vertex along the turned axes.
     std::array<float, 3> turned(const std::array<float, 3>& vertex) const {

@@ -6,6 +6,8 @@
 #define EYERAY_STREAM_BATCH_H
 #endif
 
+#include <algorithm>
+
 #include "core/base/bit_lanes.h"
 #include "core/base/lanes.h"
 #include "core/transport/ray_stream.h"
@@ -34,6 +36,52 @@ HWY_INLINE void store(IntLanes values, Column<std::uint32_t>& column, std::size_
 }
 HWY_INLINE IntLanes loadInts(const Column<std::uint32_t>& column, std::size_t first) {
     return hn::BitCast(IntTag(), hn::LoadU(BitTag(), &column[first]));
+}
+
+/// Where the rays of a register lie in a stream: in lines of kBlockWidth, as pixels of a block of a picture
+/// do.
+struct BlockPlace {
+    std::size_t first, stride; // from line to line
+};
+inline constexpr std::size_t kBlockWidth = std::min<std::size_t>(4, kLanes),
+                             kBlockLines = kLanes / kBlockWidth;
+
+template <class D>
+HWY_INLINE hn::Vec<D> loadLines(D d, const hn::TFromD<D>* from, [[maybe_unused]] std::size_t stride) {
+#if HWY_TARGET != HWY_SCALAR
+    if constexpr (hn::MaxLanes(D()) > kBlockWidth) {
+        const hn::Half<D> half;
+        const auto* const upper = from + hn::MaxLanes(half) / kBlockWidth * stride;
+        return hn::Combine(d, loadLines(half, upper, stride), loadLines(half, from, stride));
+    }
+#endif
+    return hn::LoadU(d, from);
+}
+template <class D>
+HWY_INLINE void storeLines(hn::Vec<D> values, D d, hn::TFromD<D>* to, [[maybe_unused]] std::size_t stride) {
+#if HWY_TARGET != HWY_SCALAR
+    if constexpr (hn::MaxLanes(D()) > kBlockWidth) {
+        const hn::Half<D> half;
+        auto* const upper = to + hn::MaxLanes(half) / kBlockWidth * stride;
+        storeLines(hn::UpperHalf(half, values), half, upper, stride);
+        return storeLines(hn::LowerHalf(half, values), half, to, stride);
+    }
+#endif
+    hn::StoreU(values, d, to);
+}
+
+HWY_INLINE FloatLanes load(const Column<float>& column, BlockPlace at) {
+    return loadLines(FloatTag(), &column[at.first], at.stride);
+}
+HWY_INLINE Vec3Lanes load(const Columns3& columns, BlockPlace at) {
+    return {load(columns.x, at), load(columns.y, at), load(columns.z, at)};
+}
+HWY_INLINE void store(FloatLanes values, Column<float>& column, BlockPlace at) {
+    storeLines(values, FloatTag(), &column[at.first], at.stride);
+}
+HWY_INLINE void store(IntLanes values, Column<std::uint32_t>& column, BlockPlace at) {
+    const BitTag b;
+    storeLines(hn::BitCast(b, values), b, &column[at.first], at.stride);
 }
 
 /// The first `count` lanes. Not BlendedStore, which is slow on AMD's processors without AVX-512.

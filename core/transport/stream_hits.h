@@ -19,13 +19,16 @@ namespace eyeray::HWY_NAMESPACE {
 /// The instance of lanes that meet the background.
 HWY_INLINE IntLanes missed() { return hn::Set(IntTag(), static_cast<std::int32_t>(TileHits::kMissed)); }
 
-HWY_INLINE RayLanes raysAt(const RayStream& rays, std::size_t i) {
-    return {load(rays.origin, i), load(rays.direction, i), all(0.0F), all(kInfinity)};
+/// `place`: that of the first, if they lie side by side, or a BlockPlace.
+template <class Place>
+HWY_INLINE RayLanes raysAt(const RayStream& rays, Place place) {
+    return {load(rays.origin, place), load(rays.direction, place), all(0.0F), all(kInfinity)};
 }
 
-HWY_INLINE void storeHits(const HitLanes& hits, RayStream& rays, std::size_t i) {
-    store(hits.t, rays.t, i), store(hits.u, rays.u, i), store(hits.v, rays.v, i);
-    store(hits.primitive, rays.primitive, i), store(hits.instance, rays.instance, i);
+template <class Place>
+HWY_INLINE void storeHits(const HitLanes& hits, RayStream& rays, Place place) {
+    store(hits.t, rays.t, place), store(hits.u, rays.u, place), store(hits.v, rays.v, place);
+    store(hits.primitive, rays.primitive, place), store(hits.instance, rays.instance, place);
 }
 
 template <class Index>
@@ -56,21 +59,31 @@ inline void closestShapes(const IndexedGeometry<BruteForce>& geometry, RayStream
     }
 }
 
-/// In packets: of rays through pixels, those of a square; of others, those that lie side by side.
+/// In packets: of rays through pixels, those of a square, a block of it in each register; of others, those
+/// that lie side by side.
 inline void closestInPackets(const IndexedGeometry<Bvh8>& geometry, RayStream& rays) {
-    const bool square = rays.width > 0 && rays.width % kLanes == 0 && rays.size % rays.width == 0;
-    const std::size_t width = square ? rays.width : kLanes, lines = (rays.size + width - 1) / width;
-    for (std::size_t top = 0; top < lines; top += kMostRows)
-        for (std::size_t left = 0; left < width; left += kLanes) {
+    constexpr std::size_t kAcross = kLanes > 8 ? 4 : 2; // blocks
+    const bool inBlocks = rays.width > 0 && rays.size % rays.width == 0 && rays.width % kBlockWidth == 0 &&
+                          rays.size / rays.width % kBlockLines == 0;
+    const std::size_t width = inBlocks ? rays.width : kBlockWidth, line = kBlockLines * width;
+    const std::size_t columns = width / kBlockWidth, lines = (rays.size + line - 1) / line;
+    const std::size_t across = std::min(kAcross, columns), down = kMostRows / across;
+    for (std::size_t top = 0; top < lines; top += down)
+        for (std::size_t left = 0; left < columns; left += across) {
             PacketRays packet;
-            const auto place = [&](std::size_t row) { return (top + row) * width + left; };
-            for (std::size_t row = 0; row < std::min(kMostRows, lines - top); ++row)
-                packet.add(raysAt(rays, place(row)), bitsOf(hn::FirstN(FloatTag(), rays.size - place(row))));
+            std::array<BlockPlace, kMostRows> places;
+            for (std::size_t y = top; y < std::min(top + down, lines); ++y)
+                for (std::size_t x = left; x < std::min(left + across, columns); ++x) {
+                    const BlockPlace place{y * line + x * kBlockWidth, width};
+                    const std::size_t rest = inBlocks ? kLanes : rays.size - place.first;
+                    places[packet.count] = place;
+                    packet.add(raysAt(rays, place), bitsOf(hn::FirstN(FloatTag(), rest)));
+                }
             const Packet found(geometry, packet, RayMask::All);
             for (std::size_t row = 0; row < packet.count; ++row) {
                 HitLanes hits = found.hits(row);
                 hits.instance = hn::IfThenElse(hn::RebindMask(IntTag(), hits.met()), hits.instance, missed());
-                storeHits(hits, rays, place(row));
+                storeHits(hits, rays, places[row]);
             }
         }
 }
