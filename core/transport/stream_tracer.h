@@ -83,9 +83,23 @@ private:
             if (!hn::AllFalse(IntTag(), loadInts(rays.instance, i) == missed()))
                 store(radianceOf(world_.scene->environment, load(rays.direction, i)), rays.direct, i);
         }
-        for (std::size_t i = 0; i < rays.size && glass_.attenuates; ++i) {
-            const Color sigma = attenuationIn(world_, memory_.media.at(rays.media[i]));
-            rays.transmitted.set(i, transmittanceOf(sigma, rays.t[i]));
+        if (glass_.attenuates) findTransmittance(rays);
+    }
+
+    void findTransmittance(RayStream& rays) {
+        const auto sigmaOf = [&](std::uint32_t medium) {
+            return attenuationIn(world_, memory_.media.at(medium));
+        };
+        const bool firstIsClear = isBlack(sigmaOf(0)); // most rays run in the medium of the eye
+        for (std::size_t i = 0; i < rays.size; i += kLanes) {
+            const IntTag n;
+            const auto others = loadInts(rays.media, i) != hn::Zero(n);
+            if (firstIsClear && hn::AllFalse(n, hn::And(others, hn::FirstN(n, rays.size - i)))) {
+                store(all(Color(1)), rays.transmitted, i);
+                continue;
+            }
+            for (std::size_t k = i; k < std::min(i + kLanes, rays.size); ++k)
+                rays.transmitted.set(k, transmittanceOf(sigmaOf(rays.media[k]), rays.t[k]));
         }
     }
 
