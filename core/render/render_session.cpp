@@ -46,7 +46,7 @@ struct RenderSession::Job {
     std::mutex betweenPasses; // held while the sums of whole passes may change
     std::vector<int> order;   // of tiles
     std::stop_source stop;    // of the loop under way; a new one for each
-    bool cancelled = false;
+    bool cancelled = false, inPass = false;
     std::atomic<int> tilesDone = 0, tilesInAll = 1;
     RenderStatus status; // guarded by the session's mutex
     int passes = 0;      // whole ones; guarded by betweenPasses
@@ -111,7 +111,7 @@ void RenderSession::resume() {
 void RenderSession::giveWay() {
     const std::scoped_lock lock(mutex_);
     givesWay_ = true;
-    if (running_ && running_->status.phase == Phase::Refining) running_->stop.request_stop();
+    if (running_ && running_->inPass) running_->stop.request_stop();
 }
 
 void RenderSession::goOn() {
@@ -333,6 +333,7 @@ bool RenderSession::tracePass(Job& job, int pass) {
     {
         const std::scoped_lock lock(mutex_);
         if (job.cancelled || paused_ || givesWay_) return false;
+        job.inPass = true;
         job.stop = std::stop_source();
         job.tilesDone = 0;
     }
@@ -362,6 +363,7 @@ bool RenderSession::tracePass(Job& job, int pass) {
     const bool complete = whole && job.tilesDone == static_cast<int>(job.order.size());
     const std::scoped_lock between(job.betweenPasses);
     const std::scoped_lock lock(mutex_);
+    job.inPass = false;
     job.status.seconds = before + secondsSince(start);
     if (complete) job.status.samples = job.passes = pass + 1;
     if (complete && pass == 0) job.status.secondsToFirstPass = secondsSince(job.asked);
