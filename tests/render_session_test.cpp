@@ -4,78 +4,14 @@
 
 #include <gtest/gtest.h>
 
-#include "core/render/render_session.h"
 #include "tests/geometry_cases.h"
-#include "tests/scenes.h"
+#include "tests/sessions.h"
 
 namespace eyeray {
 namespace {
 
 using namespace scenes;
-using namespace std::chrono_literals;
-using Phase = RenderStatus::Phase;
-
-constexpr int kWidth = 80, kHeight = 60;
-
-std::shared_ptr<const World> worldOf(const Scene& scene) {
-    return buildWorld(std::make_shared<const Scene>(scene), {});
-}
-
-/// A ball of glass and one of mirror over a checkered ground: noise at every edge.
-Scene balls() {
-    Scene scene = underSky({0.3F, 0.5F, 0.9F});
-    scene.textures = {{"", CheckerTexture{Color(0.9F), Color(0.1F)}}};
-    TaughtMaterial checkered = matte(Color(0.8F), Color(0.8F));
-    checkered.diffuseTexture.texture = 0;
-    add(scene, Plane{}, checkered, at({0, -1, 0}));
-    add(scene, Sphere{1}, glass(1.5F, Color(0.9F)), at({-0.7, 0, -4}));
-    add(scene, Sphere{1}, mirror(Color(0.8F)), at({1.2, 0, -5}));
-    scene.lights = {taughtLampAt({2, 4, 0})};
-    return scene;
-}
-
-/// Takes minutes a pixel: mirrors and glass without loss, to the greatest depth.
-Scene endless() {
-    Scene scene = underSky(Color(1));
-    add(scene, Box{{4, 4, 4}}, mirror(Color(1)));
-    TaughtMaterial both = glass(1.5F);
-    both.reflectivity = Color(1);
-    add(scene, Sphere{1}, both);
-    look(scene, {0.3, 0.2, 1.9}, {0, 0, 0}, 90);
-    return scene;
-}
-
-RenderSettings settingsFor(int samples, int width = kWidth, int height = kHeight) {
-    RenderSettings settings;
-    settings.width = width;
-    settings.height = height;
-    settings.stop.samples = samples;
-    return settings;
-}
-
-RenderSettings endlessSettings() {
-    RenderSettings settings = settingsFor(4);
-    settings.trace = toDepth(kMaxDepth);
-    return settings;
-}
-
-void start(RenderSession& session, const Scene& scene, const RenderSettings& settings) {
-    session.start(worldOf(scene), scene.cameras.front(), settings);
-}
-
-/// Fails a test that would hang.
-RenderStatus finished(RenderSession& session) {
-    const RenderStatus status = session.wait(120s);
-    EXPECT_EQ(status.phase, Phase::Finished) << status.failure;
-    return status;
-}
-
-ColorImage rendered(const Scene& scene, const RenderSettings& settings, int threads = 1) {
-    RenderSession session(threads);
-    start(session, scene, settings);
-    finished(session);
-    return session.image();
-}
+using namespace sessions;
 
 /// The mean of samples traced one by one, without a session.
 ColorImage meanOfPasses(const Scene& scene, const RenderSettings& settings, int passes) {
@@ -90,56 +26,6 @@ ColorImage meanOfPasses(const Scene& scene, const RenderSettings& settings, int 
     for (std::size_t i = 0; i < sums.size(); ++i)
         mean.values()[i] = Color(sums[i] / static_cast<double>(passes));
     return mean;
-}
-
-TEST(RenderSession, HeldAtANumberOfSamplesItWaitsThereAndGoesOn) {
-    const auto world = worldOf(balls());
-    RenderSession session(2);
-    session.holdAt(2);
-    for (int picture = 0; picture < 2; ++picture) {
-        session.start(world, world->scene->cameras.front(), settingsFor(6));
-        while (session.status().samples < 2) session.wait(1ms);
-        session.wait(50ms);
-        EXPECT_EQ(session.status().samples, 2);
-        EXPECT_EQ(session.status().phase, Phase::Refining) << "held, but not by a person";
-    }
-    session.holdAt(4);
-    while (session.status().samples < 4) session.wait(1ms);
-    session.holdAt(0);
-    while (session.wait(100ms).active()) {
-    }
-    EXPECT_EQ(session.status().samples, 6);
-    RenderSession free(1);
-    free.start(world, world->scene->cameras.front(), settingsFor(6));
-    while (free.wait(100ms).active()) {
-    }
-    EXPECT_EQ(session.image(), free.image());
-    session.holdAt(1);
-    session.start(world, world->scene->cameras.front(), settingsFor(6));
-    while (session.status().samples < 1) session.wait(1ms);
-    session.stop(); // must not wait for the hold
-}
-
-TEST(RenderSession, GivesWayAndGoesOnToTheSamePicture) {
-    const auto world = worldOf(balls());
-    RenderSession session(2);
-    session.holdAt(2);
-    session.start(world, world->scene->cameras.front(), settingsFor(6));
-    while (session.status().samples < 2) session.wait(1ms);
-    session.giveWay();
-    session.holdAt(0);
-    session.wait(50ms);
-    EXPECT_EQ(session.status().samples, 2);
-    EXPECT_EQ(session.status().phase, Phase::Refining) << "held, but not by a person";
-    session.goOn();
-    while (session.wait(100ms).active()) {
-    }
-    EXPECT_EQ(session.image(), rendered(balls(), settingsFor(6), 1));
-    session.giveWay();
-    session.start(world, world->scene->cameras.front(), settingsFor(2));
-    while (session.wait(100ms).active()) {
-    }
-    EXPECT_EQ(session.status().samples, 2) << "the next picture waits for nobody";
 }
 
 TEST(RenderSession, GivesTheSameBitsOnAnyNumberOfThreads) {

@@ -111,9 +111,6 @@ public:
     const ShearLanes& row(std::size_t i) const { return shears_[i]; }
     const std::array<float, 3>& origin() const { return origin_; }
 
-    /// Rows that have rays, a bit each.
-    std::uint32_t rows() const { return rows_; }
-
     /// Which rows have rays that may meet a triangle in a box before their own limit, a bit each.
     std::uint32_t rowsThatMayMeet(const Bounds& box, const OfRows& limits) const {
         const Floats d;
@@ -320,7 +317,7 @@ private:
     alignas(32) OfRows along_{}; // the third axis, the most of each row
     std::array<std::size_t, 3> axes_;
     std::array<float, 3> origin_; // of the first ray, turned
-    std::uint32_t rows_ = 0;
+    std::uint32_t rows_ = 0;      // that have rays, a bit each
     bool forward_ = true;
 };
 
