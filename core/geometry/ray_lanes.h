@@ -144,21 +144,31 @@ HWY_INLINE ShapeHitLanes firstEnd(DoubleLanes in, DoubleLanes out, IntLanes inFa
 }
 
 /// For rays whose tMin is not negative: a line that meets the sphere behind the ray alone, which most rays
-/// that leave it do, needs no roots. Those of a line that misses it are NaN.
+/// that leave it do, needs no roots. Those of a line that misses it are NaN. Of the two, only the one that such
+/// a ray can meet first is divided for: the lower from outside, the upper from within.
 HWY_INLINE ShapeHitLanes intersect(const Sphere& sphere, const RayLanes& ray) {
     const double radius = sphere.radius;
     const auto zero = all(0.0);
     const auto face = hn::Zero(IntTag());
-    const ShapeHitLanes missed{all(kInfinity), hn::Zero(FloatTag()), face};
     const DVec3Lanes o = widen(ray.origin), d = widen(ray.direction);
     const auto a = dot(d, d), b = dot(o, d), c = dot(o, o) - all(radius * radius);
     const DVec3Lanes aside = cross(o, d);
     const auto discriminant = a * all(radius * radius) - dot(aside, aside);
     const auto behind = both(b >= zero, c >= zero);
-    if (!(radius > 0) || none(butNot(behind, discriminant >= zero))) return missed;
+    if (!(radius > 0) || none(butNot(behind, discriminant >= zero)))
+        return {all(kInfinity), hn::Zero(FloatTag()), face};
     const auto q = -(b + copySign(sqrt(discriminant), b));
-    const auto r = q / a, s = c / q;
-    return firstEnd(min(r, s), max(s, r), face, face, ray);
+    const auto ahead = q > zero, outside = c > zero;
+    const auto fromWithin = butNot(outside, ahead);
+    auto root = select(fromWithin, q, c) / select(fromWithin, a, q);
+    auto t = narrow(root);
+    const auto tooNear = butNot(widen(t) > widen(ray.tMin), both(ahead, outside));
+    if (!none(tooNear)) {
+        root = select(tooNear, max(root, q / a), root);
+        t = narrow(root);
+    }
+    const auto met = hn::And(t > ray.tMin, t < ray.tMax);
+    return {hn::IfThenElse(met, t, all(kInfinity)), narrow(root - widen(t)), face};
 }
 
 HWY_INLINE DoubleLanes meetsPlane(const RayLanes& ray) {

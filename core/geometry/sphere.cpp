@@ -14,8 +14,11 @@ Passage passThrough(const Sphere& sphere, const Ray& ray) {
     const DVec3 aside = glm::cross(o, d);
     const double discriminant = a * (radius * radius) - glm::dot(aside, aside);
     if (!(discriminant >= 0 && radius > 0)) return kNoPassage;
-    const Roots roots = quadraticRoots(a, b, glm::dot(o, o) - radius * radius, discriminant);
-    return {{roots.lower, 0}, {roots.upper, 0}};
+    // As quadraticRoots, but which root is the lower is known from signs, as a is positive.
+    const double q = -(b + std::copysign(std::sqrt(discriminant), b));
+    const double larger = q / a, smaller = (glm::dot(o, o) - radius * radius) / q; // but for rounding
+    if (q > 0) return {{smaller, 0}, {std::max(larger, smaller), 0}};
+    return {{std::min(larger, smaller), 0}, {smaller, 0}};
 }
 
 }
