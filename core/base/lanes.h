@@ -122,6 +122,10 @@ HWY_INLINE FloatMask notBlack(const Vec3Lanes& c) {
     const auto zero = hn::Zero(FloatTag());
     return hn::Or(hn::Or(c.x != zero, c.y != zero), c.z != zero);
 }
+/// By the sign, so -0 as well.
+HWY_INLINE FloatMask isNegative(FloatLanes v) {
+    return hn::RebindMask(FloatTag(), hn::BitCast(IntTag(), v) < hn::Zero(IntTag()));
+}
 HWY_INLINE FloatLanes maxComponent(const Vec3Lanes& c) { return hn::Max(c.x, hn::Max(c.y, c.z)); }
 
 HWY_INLINE Vec3Lanes all(const Vec3& v) { return {all(v.x), all(v.y), all(v.z)}; }

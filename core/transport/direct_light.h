@@ -155,7 +155,7 @@ Color directLight(SampleState<Index, Recorder>& state, const ShadingPoint& p, co
                       .specular = local.specular,
                       .irradiance = irradiance,
                       .radiance = unblocked};
-        if (isBlack(unblocked)) {
+        if (isBlack(local.sum()) || isBlack(unblocked)) {
             term.state = LampTerm::State::FacesAway;
             note(term);
             continue;

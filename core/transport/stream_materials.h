@@ -61,14 +61,13 @@ Vec3Lanes diffuseFactors(const Scene& scene, const IndexedGeometry<Index>& geome
     return factors;
 }
 
-/// Of a material that varies, at hits of the `asked` lanes.
+/// Surfaces of a material that varies, at hits of the `asked` lanes.
 template <class Index>
-MaterialLanes varyingMaterial(const World& world, const IndexedGeometry<Index>& geometry,
-                              const WorldMaterial& material, const Vec3Lanes& position, const HitLanes& hits,
-                              FloatMask asked) {
+void varyingSurfaces(const World& world, const IndexedGeometry<Index>& geometry,
+                     const WorldMaterial& material, const Vec3Lanes& position, const HitLanes& hits,
+                     FloatMask asked, std::array<Surface, kLanes>& surfaces) {
     const Spread3 positions = spread(position);
     const HitSpread spreadHits(hits);
-    std::array<Surface, kLanes> surfaces;
     surfaces.fill(material.surface);
     eachLane(asked, [&](std::size_t lane) {
         const Hit hit = spreadHits.at(lane);
@@ -77,28 +76,27 @@ MaterialLanes varyingMaterial(const World& world, const IndexedGeometry<Index>& 
         const auto uv = [&](int set) { return textureCoordinates(geometry, point, hit, set); };
         surfaces[lane] = eyeray::surfaceAt(world, material, uv, Color(vertexColor(geometry, hit)));
     });
-    return materialOf(surfaces);
 }
 
-/// The material at hits of the `asked` lanes, which all have the one of this number.
+/// The material at hits of the `asked` lanes, which all have the one of this number. `own` is to live as long:
+/// it holds the surfaces of one that varies.
 template <class Index>
 MaterialLanes materialAt(const World& world, const IndexedGeometry<Index>& geometry, std::uint32_t number,
-                         const Vec3Lanes& position, const HitLanes& hits, FloatMask asked) {
+                         const Vec3Lanes& position, const HitLanes& hits, FloatMask asked,
+                         std::array<Surface, kLanes>& own) {
     const FloatTag f;
     const WorldMaterial& material = world.materials[number];
-    MaterialLanes m = materialOf(material.surface);
-    if (!world.needs.textures) return m;
+    if (!world.needs.textures) return MaterialLanes(material.surface);
     auto varies = hn::MaskFromVec(hn::Zero(f));
     eachInstance(hits.instance, asked, [&](std::uint32_t id, FloatMask lanes) HWY_ATTR {
         if (material.varies || world.objects[id].vertexColors) varies = hn::Or(varies, lanes);
     });
-    if (hn::AllFalse(f, varies)) return m;
-    const auto* taught = std::get_if<TaughtMaterial>(&material.model);
-    if (taught == nullptr) return varyingMaterial(world, geometry, material, position, hits, varies);
-    const Vec3Lanes factors = diffuseFactors(*world.scene, geometry, *taught, position, hits, varies);
-    m.ambient = m.ambient * factors;
-    m.diffuse = m.diffuse * factors;
-    return m;
+    if (hn::AllFalse(f, varies)) return MaterialLanes(material.surface);
+    if (const auto* taught = std::get_if<TaughtMaterial>(&material.model))
+        return MaterialLanes(material.surface,
+                             diffuseFactors(*world.scene, geometry, *taught, position, hits, varies));
+    varyingSurfaces(world, geometry, material, position, hits, varies, own);
+    return MaterialLanes(own);
 }
 
 }

@@ -33,65 +33,47 @@ HWY_INLINE ShadingLanes shadingOf(const SurfaceLanes& at, const Vec3Lanes& direc
     return {at, wo, select(seen, normal, geometricNormal), geometricNormal, front};
 }
 
-/// As shadowOrigin, towards what is on this side of the surface.
-HWY_INLINE Vec3Lanes shadowOrigin(const ShadingLanes& p) {
-    return spawnOrigin(p.at, p.geometricNormal) + p.at.lift;
-}
+/// Surfaces of materials of one model: one that all lanes share, but for what tints its diffuse colours, or
+/// one for each lane. Its values are brought into lanes where they are used.
+class MaterialLanes {
+public:
+    explicit MaterialLanes(const Surface& shared, const Vec3Lanes& tint = all(Color(1)))
+        : first_(&shared), tint_(tint) {}
+    explicit MaterialLanes(const std::array<Surface, kLanes>& surfaces) : MaterialLanes(surfaces[0]) {
+        shared_ = false;
+    }
 
-/// As Surface, of materials that differ in nothing but their colours' values.
-struct MaterialLanes {
-    Vec3Lanes ambient, diffuse, specular;
-    FloatLanes shininess;
-    SpecularModel specularModel;
-    Vec3Lanes reflectivity, transmission, normalReflectivity, grazingReflectivity;
-    FloatLanes dielectric;
-    Vec3Lanes refractable;
-    FloatLanes ior;
-    Vec3Lanes emission;
-};
+    SpecularModel specularModel() const { return first_->specularModel; }
+    HWY_INLINE Vec3Lanes ambient() const { return of(&Surface::ambient) * tint_; }
+    HWY_INLINE Vec3Lanes diffuse() const { return of(&Surface::diffuse) * tint_; }
+    HWY_INLINE Vec3Lanes of(Color Surface::* member) const {
+        return shared_ ? all(first_->*member) : gatheredOf(member);
+    }
+    HWY_INLINE FloatLanes of(float Surface::* member) const {
+        return shared_ ? all(first_->*member) : gatheredOf(member);
+    }
+    /// In all lanes.
+    HWY_INLINE bool isBlack(Color Surface::* member) const {
+        if (shared_) return eyeray::isBlack(first_->*member);
+        return hn::AllFalse(FloatTag(), notBlack(gatheredOf(member)));
+    }
 
-HWY_INLINE MaterialLanes materialOf(const Surface& s) {
-    return {all(s.ambient),
-            all(s.diffuse),
-            all(s.specular),
-            all(s.shininess),
-            s.specularModel,
-            all(s.reflectivity),
-            all(s.transmission),
-            all(s.normalReflectivity),
-            all(s.grazingReflectivity),
-            all(s.dielectric),
-            all(s.refractable),
-            all(s.ior),
-            all(s.emission)};
-}
-
-/// A surface for each lane.
-inline MaterialLanes materialOf(const std::array<Surface, kLanes>& surfaces) {
-    const auto numbers = [&](float Surface::* member) HWY_ATTR {
-        Spread s;
-        for (std::size_t lane = 0; lane < kLanes; ++lane) s.lane[lane] = surfaces[lane].*member;
-        return gathered(s);
-    };
-    const auto colors = [&](Color Surface::* member) HWY_ATTR {
+private:
+    Vec3Lanes gatheredOf(Color Surface::* member) const {
         Spread3 s;
-        for (std::size_t lane = 0; lane < kLanes; ++lane) s.set(lane, surfaces[lane].*member);
+        for (std::size_t lane = 0; lane < kLanes; ++lane) s.set(lane, first_[lane].*member);
         return gathered(s);
-    };
-    return {colors(&Surface::ambient),
-            colors(&Surface::diffuse),
-            colors(&Surface::specular),
-            numbers(&Surface::shininess),
-            surfaces[0].specularModel,
-            colors(&Surface::reflectivity),
-            colors(&Surface::transmission),
-            colors(&Surface::normalReflectivity),
-            colors(&Surface::grazingReflectivity),
-            numbers(&Surface::dielectric),
-            colors(&Surface::refractable),
-            numbers(&Surface::ior),
-            colors(&Surface::emission)};
-}
+    }
+    FloatLanes gatheredOf(float Surface::* member) const {
+        Spread s;
+        for (std::size_t lane = 0; lane < kLanes; ++lane) s.lane[lane] = first_[lane].*member;
+        return gathered(s);
+    }
+
+    const Surface* first_;
+    bool shared_ = true;
+    Vec3Lanes tint_;
+};
 
 /// As LightSample, in the lanes that the lamp shines to.
 struct LightLanes {
@@ -144,19 +126,21 @@ inline Vec3Lanes localModel(const ShadingLanes& p, const MaterialLanes& m, const
     const auto zero = hn::Zero(f);
     const auto cosine = dot(p.normal, wi);
     const auto lit = hn::And(cosine > zero, asked);
-    const Vec3Lanes diffuse = m.diffuse * cosine;
+    const Vec3Lanes diffuse = m.diffuse() * cosine;
+    if (m.isBlack(&Surface::specular)) return orZero(lit, diffuse);
     Vec3Lanes specular = all(Color(0));
-    const auto shiny = hn::And(lit, notBlack(m.specular));
+    const Vec3Lanes ks = m.of(&Surface::specular);
+    const auto shiny = hn::And(lit, notBlack(ks));
     if (!hn::AllFalse(f, shiny)) {
-        const auto base = m.specularModel == SpecularModel::Phong ? dot(reflected(wi, p.normal), p.wo)
+        const auto base = m.specularModel() == SpecularModel::Phong ? dot(reflected(wi, p.normal), p.wo)
                                                                   : dot(p.normal, normalize(wi + p.wo));
         Spread lobe = spread(hn::Zero(f));
-        const Spread bases = spread(base), exponents = spread(m.shininess);
+        const Spread bases = spread(base), exponents = spread(m.of(&Surface::shininess));
         for (std::uint32_t bits = bitsOf(hn::And(shiny, base > zero)); bits != 0; bits &= bits - 1) {
             const auto lane = static_cast<std::size_t>(std::countr_zero(bits));
             lobe.lane[lane] = std::pow(bases.lane[lane], exponents.lane[lane]);
         }
-        specular = orZero(shiny, m.specular * gathered(lobe));
+        specular = orZero(shiny, ks * gathered(lobe));
     }
     return orZero(lit, diffuse + specular);
 }
@@ -188,12 +172,13 @@ HWY_INLINE FloatLanes fresnelDielectric(FloatLanes cosine, FloatLanes eta) {
 HWY_INLINE Vec3Lanes mirrorShare(const MaterialLanes& m, FloatLanes cosine) {
     const FloatTag f;
     const auto zero = hn::Zero(f), one = all(1.0F);
-    const Vec3Lanes &a = m.normalReflectivity, &b = m.grazingReflectivity;
+    const Vec3Lanes a = m.of(&Surface::normalReflectivity), b = m.of(&Surface::grazingReflectivity);
     const auto rises = hn::Or(hn::Or(a.x != b.x, a.y != b.y), a.z != b.z);
     if (hn::AllFalse(f, rises)) return a;
-    const auto root = (m.ior - one) / (m.ior + one);
+    const auto ior = m.of(&Surface::ior);
+    const auto root = (ior - one) / (ior + one);
     const auto f0 = root * root;
-    auto rise = (fresnelDielectric(cosine, one / m.ior) - f0) / (one - f0);
+    auto rise = (fresnelDielectric(cosine, one / ior) - f0) / (one - f0);
     rise = hn::Max(hn::IfThenElseZero(f0 < one, rise), zero);
     return select(rises, a + (b - a) * rise, a);
 }
@@ -212,7 +197,7 @@ struct NextLanes {
 HWY_INLINE NextLanes mirrored(const ShadingLanes& p, const MaterialLanes& m, FresnelMode fresnel) {
     NextLanes next;
     next.reflectedShare =
-        fresnel == FresnelMode::Exact ? mirrorShare(m, dot(p.normal, p.wo)) : m.reflectivity;
+        fresnel == FresnelMode::Exact ? mirrorShare(m, dot(p.normal, p.wo)) : m.of(&Surface::reflectivity);
     next.reflection = mirrorDirection(p);
     next.refraction = next.refractedShare = all(Color(0));
     return next;
@@ -224,7 +209,8 @@ HWY_INLINE void addGlass(const ShadingLanes& p, const MaterialLanes& m, FresnelM
                          FloatMask solid, NextLanes& next) {
     const FloatTag f;
     const auto zero = hn::Zero(f), one = all(1.0F);
-    const auto glass = notBlack(m.transmission);
+    const Vec3Lanes transmission = m.of(&Surface::transmission);
+    const auto glass = notBlack(transmission);
     const auto cosine = dot(p.normal, p.wo);
     Vec3Lanes direction = refracted(p.wo, p.normal, eta);
     const auto wrongSide = dot(direction, p.geometricNormal) >= zero;
@@ -233,17 +219,18 @@ HWY_INLINE void addGlass(const ShadingLanes& p, const MaterialLanes& m, FresnelM
     const auto passes = direction.x == direction.x;
     const auto total = hn::And(hn::AndNot(passes, solid), glass);
     const auto some = hn::AndNot(total, glass);
-    Vec3Lanes reflects = next.reflectedShare, refracts = m.transmission;
+    Vec3Lanes reflects = next.reflectedShare, refracts = transmission;
     if (fresnel == FresnelMode::Exact) {
         const auto reflectance = fresnelDielectric(cosine, eta);
-        const auto added = m.dielectric * reflectance;
+        const auto added = m.of(&Surface::dielectric) * reflectance;
         reflects = {reflects.x + added, reflects.y + added, reflects.z + added};
-        refracts = m.refractable * (one - reflectance);
+        refracts = m.of(&Surface::refractable) * (one - reflectance);
     }
     next.reflectedShare = select(some, reflects, next.reflectedShare);
     if (!hn::AllFalse(f, total)) {
         const Vec3Lanes mirror = mirrorShare(m, cosine);
-        const Vec3Lanes all3{mirror.x + m.dielectric, mirror.y + m.dielectric, mirror.z + m.dielectric};
+        const auto dielectric = m.of(&Surface::dielectric);
+        const Vec3Lanes all3{mirror.x + dielectric, mirror.y + dielectric, mirror.z + dielectric};
         next.reflectedShare = select(total, all3, next.reflectedShare);
     }
     next.refractedShare = orZero(some, refracts);

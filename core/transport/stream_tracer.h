@@ -110,26 +110,30 @@ private:
         const SurfaceLanes at = surfacesAt(geometry_, lanes, hits, batch.active);
         const ShadingLanes p = shadingOf(at, lanes.direction);
         const std::uint32_t material = materialOfRay(world_, rays, batch.first);
-        const MaterialLanes m = materialAt(world_, geometry_, material, at.position, hits, batch.active);
+        const MaterialLanes m =
+            materialAt(world_, geometry_, material, at.position, hits, batch.active, surfaces_);
         const IntLanes media = batch.of(rays.media);
-        batch.put(directLight(batch, p, m, media), rays.direct);
-        if (depth < context_.settings.maxDepth) sendOn(rays, batch, p, m, media, hits.instance, next);
+        const Vec3Lanes origin = spawnOrigin(at, p.geometricNormal);
+        batch.put(directLight(batch, p, m, media, origin), rays.direct);
+        if (depth < context_.settings.maxDepth) sendOn(rays, batch, p, m, media, hits.instance, origin, next);
     }
 
-    /// As directLight of one point.
-    Vec3Lanes directLight(const Batch& batch, const ShadingLanes& p, const MaterialLanes& m, IntLanes media) {
+    /// As directLight of one point. `origin`: of rays on this side of the surface.
+    Vec3Lanes directLight(const Batch& batch, const ShadingLanes& p, const MaterialLanes& m, IntLanes media,
+                          const Vec3Lanes& origin) {
         const FloatTag f;
-        Vec3Lanes radiance = m.emission + m.ambient * all(world_.scene->ambient);
-        const Vec3Lanes origin = shadowOrigin(p);
+        Vec3Lanes radiance = m.of(&Surface::emission) + m.ambient() * all(world_.scene->ambient);
+        if (m.isBlack(&Surface::diffuse) && m.isBlack(&Surface::specular)) return radiance;
         for (const WorldLight& light : context_.lights) {
             const LightLanes sample = sampleLight(light, p.at.position);
             auto asked = hn::And(batch.active, sample.shines);
             if (hn::AllFalse(f, asked)) continue;
-            Vec3Lanes arriving = localModel(p, m, sample.wi, asked) * (sample.irradiance / all(kPi));
-            asked = hn::And(asked, notBlack(arriving));
+            const Vec3Lanes local = localModel(p, m, sample.wi, asked);
+            Vec3Lanes arriving = local * (sample.irradiance / all(kPi));
+            asked = hn::And(asked, hn::And(notBlack(local), notBlack(arriving)));
             if (hn::AllFalse(f, asked)) continue;
             if (context_.settings.shadows) {
-                const RayLanes rays{origin, sample.wi, all(0.0F), sample.distance * all(kBeforeLamp)};
+                const RayLanes rays{origin + p.at.lift, sample.wi, all(0.0F), sample.distance * all(kBeforeLamp)};
                 counts_[RayKind::Shadow] += hn::CountTrue(f, asked);
                 arriving =
                     arriving * visibility(context_, geometry_, glass_, rays, asked, {memory_.media, media});
@@ -141,22 +145,25 @@ private:
 
     /// As onward of one point.
     void sendOn(const RayStream& rays, const Batch& batch, const ShadingLanes& p, const MaterialLanes& m,
-                IntLanes media, IntLanes instances, RayStream& next) {
+                IntLanes media, IntLanes instances, const Vec3Lanes& origin, RayStream& next) {
         const FloatTag f;
         const TraceSettings& settings = context_.settings;
-        const auto transmits = hn::And(batch.active, notBlack(m.transmission));
-        const auto reflects = hn::Or(notBlack(m.reflectivity), notBlack(m.grazingReflectivity));
+        const bool noGlass = m.isBlack(&Surface::transmission);
+        if (noGlass && m.isBlack(&Surface::reflectivity) && m.isBlack(&Surface::grazingReflectivity)) return;
+        const auto transmits = hn::And(batch.active, notBlack(m.of(&Surface::transmission)));
+        const auto reflects = hn::Or(notBlack(m.of(&Surface::reflectivity)),
+                                     notBlack(m.of(&Surface::grazingReflectivity)));
         const auto goesOn = hn::And(batch.active, hn::Or(transmits, reflects));
         if (hn::AllFalse(f, goesOn)) return;
         NextLanes onward = mirrored(p, m, settings.fresnel);
-        InterfaceLanes interface{m.ior, p.front, media};
-        if (!hn::AllFalse(f, transmits)) {
+        InterfaceLanes interface{all(1.0F), p.front, media};
+        if (!noGlass) {
             interface = interfacesAt(instances, p.front, media, transmits);
             addGlass(p, m, settings.fresnel, interface.eta, interface.solid, onward);
         }
         Vec3Lanes weight = batch.of(rays.weight);
         if (glass_.attenuates) weight = weight * batch.of(rays.transmitted);
-        const Parents parents{batch.rays, batch.of(rays.sample), p.at, weight, goesOn};
+        const Parents parents{batch.rays, batch.of(rays.sample), p, origin, weight, goesOn};
         if (settings.reflections)
             append(parents, {RayKind::Reflection, onward.reflection, onward.reflectedShare, media}, next);
         if (settings.refractions)
@@ -221,8 +228,9 @@ private:
     /// Rays of a batch that may go on.
     struct Parents {
         IntLanes ray, sample;
-        const SurfaceLanes& at;
-        Vec3Lanes weight; // of their radiance at the hit
+        const ShadingLanes& p;
+        const Vec3Lanes& origin; // of rays on this side of the surface
+        Vec3Lanes weight;        // of their radiance at the hit
         FloatMask goOn;
     };
 
@@ -240,7 +248,7 @@ private:
         const auto worth =
             hn::And(parents.goOn, hn::And(largest > hn::Zero(f), largest >= all(context_.settings.cutoff)));
         if (hn::AllFalse(f, worth)) return;
-        compress(spawnOrigin(parents.at, onward.direction), worth, next.origin, next.size);
+        compress(originTowards(parents, onward.direction, worth), worth, next.origin, next.size);
         compress(onward.direction, worth, next.direction, next.size);
         compress(onward.share, worth, next.share, next.size);
         compress(weight, worth, next.weight, next.size);
@@ -252,13 +260,22 @@ private:
         next.size += count;
     }
 
+    /// Where the `asked` rays of this direction start.
+    static Vec3Lanes originTowards(const Parents& parents, const Vec3Lanes& direction, FloatMask asked) {
+        const SurfaceLanes& at = parents.p.at;
+        const auto below = isNegative(dot(at.geometricNormal, direction));
+        const auto elsewhere = hn::And(asked, hn::Not(hn::Xor(below, parents.p.front)));
+        return hn::AllFalse(FloatTag(), elsewhere) ? parents.origin : spawnOrigin(at, direction);
+    }
+
     const TraceContext& context_;
     const World& world_;
     const IndexedGeometry<Index>& geometry_;
     GlassNeeds glass_;
     RayCounts& counts_;
     StreamMemory& memory_;
-    std::array<Crossing, 64> crossings_; // the last ones
+    std::array<Crossing, 64> crossings_;    // the last ones
+    std::array<Surface, kLanes> surfaces_; // of a batch
     bool outgrown_ = false;
     // Two rays go on from a hit at most, so that a tree has less than 2^(depth + 1) of them.
     const bool mayOutgrow_ = context_.settings.maxDepth + 1 > std::countr_zero(unsigned{kMaxTreeNodes});
