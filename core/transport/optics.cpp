@@ -25,9 +25,10 @@ float fresnelDielectric(float cosine, float eta) {
     const double sine2 = sineSquared(c, e);
     if (sine2 >= 1) return 1;
     const double inner = std::sqrt(1 - sine2);
-    const double perpendicular = (e * c - inner) / (e * c + inner);
-    const double parallel = (c - e * inner) / (c + e * inner);
-    return static_cast<float>(0.5 * (perpendicular * perpendicular + parallel * parallel));
+    // (a/b)² and (d/e)² are the shares of perpendicular and parallel light; over one denominator
+    const double a = e * c - inner, b = e * c + inner, d = c - e * inner, f = c + e * inner;
+    const double af = a * f, bd = b * d, bf = b * f;
+    return static_cast<float>(0.5 * (af * af + bd * bd) / (bf * bf));
 }
 
 float fresnelRise(float cosine, float ior) {

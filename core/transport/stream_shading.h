@@ -145,28 +145,34 @@ inline Vec3Lanes localModel(const ShadingLanes& p, const MaterialLanes& m, const
     return orZero(lit, diffuse + specular);
 }
 
-HWY_INLINE DoubleLanes sineSquared(DoubleLanes cosine, DoubleLanes eta) {
-    const auto one = all(1.0);
-    return eta * eta * max(all(0.0), (one - cosine) * (one + cosine));
-}
+/// How light bends at a surface, as optics.h has it: cosines of the angles on both sides of it.
+struct BendLanes {
+    DoubleLanes cosine, eta;
+    DoubleMask total; // internal reflection: there is no inner cosine
+    DoubleLanes inner;
+
+    BendLanes(FloatLanes cosineHere, FloatLanes etaHere) : cosine(widen(cosineHere)), eta(widen(etaHere)) {
+        const auto one = all(1.0);
+        const auto sine2 = eta * eta * max(all(0.0), (one - cosine) * (one + cosine));
+        total = sine2 >= one;
+        inner = sqrt(one - sine2);
+    }
+};
 
 /// Not a number on total internal reflection.
-HWY_INLINE Vec3Lanes refracted(const Vec3Lanes& wo, const Vec3Lanes& normal, FloatLanes eta) {
-    const auto cosine = widen(dot(normal, wo)), wide = widen(eta);
-    const auto sine2 = sineSquared(cosine, wide);
-    const auto inner = sqrt(select(sine2 < all(1.0), all(1.0) - sine2, all(-1.0)));
-    return normalize(wo * hn::Neg(eta) + normal * narrow(wide * cosine - inner));
+HWY_INLINE Vec3Lanes refracted(const BendLanes& bend, const Vec3Lanes& wo, const Vec3Lanes& normal,
+                               FloatLanes eta) {
+    const auto along = select(bend.total, all(std::numeric_limits<double>::quiet_NaN()),
+                              bend.eta * bend.cosine - bend.inner);
+    return normalize(wo * hn::Neg(eta) + normal * narrow(along));
 }
 
-HWY_INLINE FloatLanes fresnelDielectric(FloatLanes cosine, FloatLanes eta) {
-    const auto one = all(1.0);
-    const auto c = widen(hn::Min(hn::Max(cosine, all(0.0F)), all(1.0F))), e = widen(eta);
-    const auto sine2 = sineSquared(c, e);
-    const auto inner = sqrt(one - sine2);
-    const auto perpendicular = (e * c - inner) / (e * c + inner);
-    const auto parallel = (c - e * inner) / (c + e * inner);
-    const auto share = all(0.5) * (perpendicular * perpendicular + parallel * parallel);
-    return narrow(select(sine2 >= one, one, share));
+HWY_INLINE FloatLanes fresnelDielectric(const BendLanes& bend) {
+    const auto c = min(max(bend.cosine, all(0.0)), all(1.0)), ec = bend.eta * c, ei = bend.eta * bend.inner;
+    const auto a = ec - bend.inner, b = ec + bend.inner, d = c - ei, f = c + ei;
+    const auto af = a * f, bd = b * d, bf = b * f;
+    const auto share = all(0.5) * (af * af + bd * bd) / (bf * bf);
+    return narrow(select(bend.total, all(1.0), share));
 }
 
 HWY_INLINE Vec3Lanes mirrorShare(const MaterialLanes& m, FloatLanes cosine) {
@@ -178,7 +184,7 @@ HWY_INLINE Vec3Lanes mirrorShare(const MaterialLanes& m, FloatLanes cosine) {
     const auto ior = m.of(&Surface::ior);
     const auto root = (ior - one) / (ior + one);
     const auto f0 = root * root;
-    auto rise = (fresnelDielectric(cosine, one / ior) - f0) / (one - f0);
+    auto rise = (fresnelDielectric({cosine, one / ior}) - f0) / (one - f0);
     rise = hn::Max(hn::IfThenElseZero(f0 < one, rise), zero);
     return select(rises, a + (b - a) * rise, a);
 }
@@ -212,16 +218,19 @@ HWY_INLINE void addGlass(const ShadingLanes& p, const MaterialLanes& m, FresnelM
     const Vec3Lanes transmission = m.of(&Surface::transmission);
     const auto glass = notBlack(transmission);
     const auto cosine = dot(p.normal, p.wo);
-    Vec3Lanes direction = refracted(p.wo, p.normal, eta);
+    const BendLanes bend(cosine, eta);
+    Vec3Lanes direction = refracted(bend, p.wo, p.normal, eta);
     const auto wrongSide = dot(direction, p.geometricNormal) >= zero;
     if (!hn::AllFalse(f, wrongSide))
-        direction = select(wrongSide, refracted(p.wo, p.geometricNormal, eta), direction);
+        direction = select(wrongSide,
+                           refracted({dot(p.geometricNormal, p.wo), eta}, p.wo, p.geometricNormal, eta),
+                           direction);
     const auto passes = direction.x == direction.x;
     const auto total = hn::And(hn::AndNot(passes, solid), glass);
     const auto some = hn::AndNot(total, glass);
     Vec3Lanes reflects = next.reflectedShare, refracts = transmission;
     if (fresnel == FresnelMode::Exact) {
-        const auto reflectance = fresnelDielectric(cosine, eta);
+        const auto reflectance = fresnelDielectric(bend);
         const auto added = m.of(&Surface::dielectric) * reflectance;
         reflects = {reflects.x + added, reflects.y + added, reflects.z + added};
         refracts = m.of(&Surface::refractable) * (one - reflectance);
