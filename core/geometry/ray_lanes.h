@@ -144,8 +144,8 @@ HWY_INLINE ShapeHitLanes firstEnd(DoubleLanes in, DoubleLanes out, IntLanes inFa
 }
 
 /// For rays whose tMin is not negative: a line that meets the sphere behind the ray alone, which most rays
-/// that leave it do, needs no roots. Those of a line that misses it are NaN. Of the two, only the one that such
-/// a ray can meet first is divided for: the lower from outside, the upper from within.
+/// that leave it do, needs no roots. Those of a line that misses it are NaN. Of the two, only the one that
+/// such a ray can meet first is divided for: the lower from outside, the upper from within.
 HWY_INLINE ShapeHitLanes intersect(const Sphere& sphere, const RayLanes& ray) {
     const double radius = sphere.radius;
     const auto zero = all(0.0);

@@ -78,8 +78,8 @@ void varyingSurfaces(const World& world, const IndexedGeometry<Index>& geometry,
     });
 }
 
-/// The material at hits of the `asked` lanes, which all have the one of this number. `own` is to live as long:
-/// it holds the surfaces of one that varies.
+/// The material at hits of the `asked` lanes, which all have the one of this number. `own` is to live as
+/// long: it holds the surfaces of one that varies.
 template <class Index>
 MaterialLanes materialAt(const World& world, const IndexedGeometry<Index>& geometry, std::uint32_t number,
                          const Vec3Lanes& position, const HitLanes& hits, FloatMask asked,

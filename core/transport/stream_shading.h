@@ -133,7 +133,7 @@ inline Vec3Lanes localModel(const ShadingLanes& p, const MaterialLanes& m, const
     const auto shiny = hn::And(lit, notBlack(ks));
     if (!hn::AllFalse(f, shiny)) {
         const auto base = m.specularModel() == SpecularModel::Phong ? dot(reflected(wi, p.normal), p.wo)
-                                                                  : dot(p.normal, normalize(wi + p.wo));
+                                                                    : dot(p.normal, normalize(wi + p.wo));
         Spread lobe = spread(hn::Zero(f));
         const Spread bases = spread(base), exponents = spread(m.of(&Surface::shininess));
         for (std::uint32_t bits = bitsOf(hn::And(shiny, base > zero)); bits != 0; bits &= bits - 1) {
@@ -222,9 +222,9 @@ HWY_INLINE void addGlass(const ShadingLanes& p, const MaterialLanes& m, FresnelM
     Vec3Lanes direction = refracted(bend, p.wo, p.normal, eta);
     const auto wrongSide = dot(direction, p.geometricNormal) >= zero;
     if (!hn::AllFalse(f, wrongSide))
-        direction = select(wrongSide,
-                           refracted({dot(p.geometricNormal, p.wo), eta}, p.wo, p.geometricNormal, eta),
-                           direction);
+        direction =
+            select(wrongSide, refracted({dot(p.geometricNormal, p.wo), eta}, p.wo, p.geometricNormal, eta),
+                   direction);
     const auto passes = direction.x == direction.x;
     const auto total = hn::And(hn::AndNot(passes, solid), glass);
     const auto some = hn::AndNot(total, glass);

@@ -133,7 +133,8 @@ private:
             asked = hn::And(asked, hn::And(notBlack(local), notBlack(arriving)));
             if (hn::AllFalse(f, asked)) continue;
             if (context_.settings.shadows) {
-                const RayLanes rays{origin + p.at.lift, sample.wi, all(0.0F), sample.distance * all(kBeforeLamp)};
+                const RayLanes rays{origin + p.at.lift, sample.wi, all(0.0F),
+                                    sample.distance * all(kBeforeLamp)};
                 counts_[RayKind::Shadow] += hn::CountTrue(f, asked);
                 arriving =
                     arriving * visibility(context_, geometry_, glass_, rays, asked, {memory_.media, media});
@@ -151,8 +152,8 @@ private:
         const bool noGlass = m.isBlack(&Surface::transmission);
         if (noGlass && m.isBlack(&Surface::reflectivity) && m.isBlack(&Surface::grazingReflectivity)) return;
         const auto transmits = hn::And(batch.active, notBlack(m.of(&Surface::transmission)));
-        const auto reflects = hn::Or(notBlack(m.of(&Surface::reflectivity)),
-                                     notBlack(m.of(&Surface::grazingReflectivity)));
+        const auto reflects =
+            hn::Or(notBlack(m.of(&Surface::reflectivity)), notBlack(m.of(&Surface::grazingReflectivity)));
         const auto goesOn = hn::And(batch.active, hn::Or(transmits, reflects));
         if (hn::AllFalse(f, goesOn)) return;
         NextLanes onward = mirrored(p, m, settings.fresnel);
@@ -274,7 +275,7 @@ private:
     GlassNeeds glass_;
     RayCounts& counts_;
     StreamMemory& memory_;
-    std::array<Crossing, 64> crossings_;    // the last ones
+    std::array<Crossing, 64> crossings_;   // the last ones
     std::array<Surface, kLanes> surfaces_; // of a batch
     bool outgrown_ = false;
     // Two rays go on from a hit at most, so that a tree has less than 2^(depth + 1) of them.
