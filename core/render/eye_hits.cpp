@@ -53,36 +53,34 @@ void EyeHits::begin(const TraceContext& context, const RenderSettings& settings,
     std::optional<std::vector<Bounds>> changed;
     if (key && key_ && key->frame == key_->frame) changed = changedBounds(*key_->accel, *key->accel);
     key_.reset(); // until there is memory
-    const auto count = static_cast<std::size_t>(keeps ? film.tiles() : 0);
-    known_ = changed && 2 * keepTilesWithout(*changed, context.eyeRays.frame(), film) >= count;
-    if (!changed) {
-        if (steps_.size() != count) allocate(count);
-        steps_.assign(count, 0);
+    if (changed) {
+        keepTilesWithout(*changed, context.eyeRays.frame(), film);
+    } else {
+        const auto tiles = static_cast<std::size_t>(film.tiles());
+        if (keeps && steps_.size() != tiles) allocate(tiles); // else what is there is soon needed again
+        std::ranges::fill(steps_, 0);
     }
     key_ = std::move(key);
 }
 
-/// Forgets the hits of all others; how many tiles are left.
-std::size_t EyeHits::keepTilesWithout(std::span<const Bounds> changed, const EyeRays::Frame& frame,
-                                      const Film& film) {
-    std::size_t kept = 0;
+/// Forgets the hits of all others.
+void EyeHits::keepTilesWithout(std::span<const Bounds> changed, const EyeRays::Frame& frame,
+                               const Film& film) {
     for (std::size_t i = 0; i < steps_.size(); ++i) {
         const Tile tile = film.tile(static_cast<int>(i));
         const bool shows =
             std::ranges::any_of(changed, [&](const Bounds& box) { return mayShow(tile, box, frame); });
-        if (shows)
-            steps_[i] = 0;
-        else
-            ++kept;
+        if (shows) steps_[i] = 0;
     }
-    return kept;
 }
 
 void EyeHits::allocate(std::size_t tiles) {
+    steps_.clear(); // until there is memory
     const std::size_t samples = tiles * samplesBefore(2 * kTileSize);
     for (auto* column : {&t_, &u_, &v_}) *column = std::make_unique_for_overwrite<float[]>(samples);
     for (auto* column : {&primitive_, &instance_})
         *column = std::make_unique_for_overwrite<std::uint32_t[]>(samples);
+    steps_.resize(tiles);
 }
 
 void EyeHits::lend(int index, Tile& tile) {

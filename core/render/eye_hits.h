@@ -24,9 +24,6 @@ public:
     /// now or before.
     void begin(const TraceContext&, const RenderSettings&, const Film&);
 
-    /// Whether the picture before has left hits of most tiles.
-    bool known() const { return known_; }
-
     /// Lets a tile of the picture's first sample find or leave its hits. Thread-safe for different tiles, as
     /// is takeBack.
     void lend(int index, Tile&);
@@ -35,7 +32,7 @@ public:
     void takeBack(int index, const Tile&);
 
 private:
-    std::size_t keepTilesWithout(std::span<const Bounds> changed, const EyeRays::Frame&, const Film&);
+    void keepTilesWithout(std::span<const Bounds> changed, const EyeRays::Frame&, const Film&);
     void allocate(std::size_t tiles);
 
     // The bits of the floats that tell eye rays of one picture from those of another: 0 and −0 differ.
@@ -47,7 +44,6 @@ private:
     };
 
     std::optional<Key> key_;
-    bool known_ = false;
     // By step, then tile, then sample. Not initialised: what no step needs is not touched.
     std::unique_ptr<float[]> t_, u_, v_;
     std::unique_ptr<std::uint32_t[]> primitive_, instance_;

@@ -15,8 +15,7 @@ using Phase = RenderStatus::Phase;
 
 constexpr double kCoarseSeconds = 0.012;      // what a coarse picture may take, to fit a frame with all else
 constexpr double kLeastCoarseSeconds = 0.003; // after a build that fills the frame
-constexpr int kCoarsestStep = 32, kFinestStep = 4, kFirstStep = 16;
-constexpr int kErrorInterval = 8; // passes between looks at the error
+constexpr int kErrorInterval = 8;             // passes between looks at the error
 
 double secondsSince(Clock::time_point start) {
     return std::chrono::duration<double>(Clock::now() - start).count();
@@ -271,9 +270,9 @@ void RenderSession::run(const std::shared_ptr<Job>& job) {
     job->order = tilesFrom(*job->film, job->focus);
     job->tilesInAll = job->film->tiles();
     eyeHits_.begin(*job->context, job->settings, *job->film);
-    const int step = coarseStep(*job);
+    const double seconds = secondsForCoarse(*job->context->world);
     traced_ = job->context->world;
-    if (job->settings.coarse) traceCoarse(*job, step);
+    const bool fine = !job->settings.coarse || traceCoarse(*job, seconds) == CoarsePicture::kFinestStep;
     {
         const std::scoped_lock lock(mutex_);
         if (job->cancelled) return;
@@ -281,38 +280,28 @@ void RenderSession::run(const std::shared_ptr<Job>& job) {
         job->status.phase = Phase::Refining;
         job->status.secondsToCoarse = secondsSince(job->asked);
     }
-    if (job->settings.coarse && step > kFinestStep) traceCoarse(*job, kFinestStep);
+    if (!fine) traceCoarse(*job, kInfinity);
     int pass = 0;
     while (!finished(*job) && waitWhileHeld(*job))
         if (tracePass(*job, pass)) ++pass;
 }
 
-/// Block size of a coarse picture that takes no longer than kCoarseSeconds, with the building of a new World,
-/// by how long the last one took.
-int RenderSession::coarseStep(const Job& job) const {
-    const auto& world = job.context->world;
-    const double built = world == traced_ ? 0 : world->buildSeconds;
-    const double most = std::max(kCoarseSeconds - built, kLeastCoarseSeconds);
-    const double seconds =
-        eyeHits_.known() ? secondsPerPixel_ : std::max(secondsPerPixel_, secondsPerNewPixel_);
-    if (seconds <= 0) return kFirstStep;
-    const double all = seconds * job.settings.width * job.settings.height;
-    int step = kFinestStep;
-    while (step < kCoarsestStep && all / (step * step) > most) step *= 2;
-    return step;
+/// What a coarse picture may take, beside the building of a new World.
+double RenderSession::secondsForCoarse(const World& world) const {
+    const double built = &world == traced_.get() ? 0 : world.buildSeconds;
+    return std::max(kCoarseSeconds - built, kLeastCoarseSeconds);
 }
 
-void RenderSession::traceCoarse(Job& job, int step) {
-    const auto start = Clock::now();
+/// The size of its blocks, or nothing if it was broken off.
+std::optional<int> RenderSession::traceCoarse(Job& job, double seconds) {
     {
         const std::scoped_lock lock(mutex_);
-        if (job.cancelled) return;
+        if (job.cancelled) return std::nullopt;
         job.stop = std::stop_source();
     }
     TraceContext context = *job.context;
     context.stop = job.stop.get_token();
-    const bool whole = pool_.forEach(static_cast<int>(job.order.size()), context.stop, [&](int i) {
-        const int index = job.order[static_cast<std::size_t>(i)];
+    return coarse_.trace(pool_, job.order, seconds, context.stop, [&](int index, int step) {
         Tile tile = job.film->tile(index);
         tile.step = step;
         eyeHits_.lend(index, tile);
@@ -321,10 +310,6 @@ void RenderSession::traceCoarse(Job& job, int step) {
         eyeHits_.takeBack(index, tile);
         job.film->preview(index, result);
     });
-    if (!whole || context.stop.stop_requested()) return; // its time would say nothing
-    const double pixels = static_cast<double>(job.settings.width) * job.settings.height / (step * step);
-    secondsPerPixel_ = secondsSince(start) / pixels;
-    if (!eyeHits_.known()) secondsPerNewPixel_ = secondsPerPixel_;
 }
 
 /// False if it was broken off; its finished tiles stay and need not be done again.

@@ -9,6 +9,7 @@
 #include <thread>
 
 #include "core/base/thread_pool.h"
+#include "core/render/coarse_picture.h"
 #include "core/render/eye_hits.h"
 #include "core/render/film.h"
 #include "core/render/render_settings.h"
@@ -104,8 +105,8 @@ private:
     std::shared_ptr<Job> shownAt(int x, int y) const;
     void coordinate(const std::stop_token& end);
     void run(const std::shared_ptr<Job>&);
-    int coarseStep(const Job&) const;
-    void traceCoarse(Job&, int step);
+    double secondsForCoarse(const World&) const;
+    std::optional<int> traceCoarse(Job&, double seconds);
     bool tracePass(Job&, int pass);
     bool waitWhileHeld(Job&);
     bool finished(Job&);
@@ -118,8 +119,7 @@ private:
     std::vector<std::shared_ptr<Film>> films_; // of the coordinator alone
     std::shared_ptr<const World> traced_;      // likewise: of the picture before
     EyeHits eyeHits_;                          // likewise, but for hits of tiles under way
-    double secondsPerPixel_ = 0;               // likewise: of tracing, on all threads; as last measured
-    double secondsPerNewPixel_ = 0;            // likewise, whose eye hits were not known
+    CoarsePicture coarse_;                     // likewise
 
     mutable std::mutex mutex_; // of all below
     std::condition_variable_any changed_;
