@@ -21,7 +21,7 @@ HWY_INLINE bool visitTriangles(const IndexedMesh<Bvh8>& mesh, std::uint32_t firs
                                const RayShear& shear, float tMin, const float& limit, const Offer& offer) {
     const TriangleBlock& block = mesh.triangles.block(first);
     const bool doubleSided = mesh.mesh->doubleSided;
-    std::uint32_t lanes = mayMeet(block, doubleSided, shear, limit) & ((1U << count) - 1U);
+    std::uint32_t lanes = mayMeet(block, doubleSided, shear, limit).open & ((1U << count) - 1U);
     for (; lanes != 0; lanes &= lanes - 1) {
         const auto lane = static_cast<std::uint32_t>(std::countr_zero(lanes));
         const TriangleCorners corners = block.turned(lane, shear.axes);
@@ -34,15 +34,37 @@ HWY_INLINE bool visitTriangles(const IndexedMesh<Bvh8>& mesh, std::uint32_t firs
     return false;
 }
 
-// Calls offer(hit) for hits at t in (tMin, limit) until it returns true; whether it did.
+// Whether the ray hits any triangle of a leaf at t in (tMin, limit): mostly without areas in double.
+HWY_INLINE bool hitsTriangle(const IndexedMesh<Bvh8>& mesh, std::uint32_t first, std::uint32_t count,
+                             const RayShear& shear, float tMin, float limit) {
+    const TriangleBlock& block = mesh.triangles.block(first);
+    const bool doubleSided = mesh.mesh->doubleSided;
+    const LeafBits bits = mayMeet(block, doubleSided, shear, limit);
+    for (std::uint32_t lanes = bits.open & ((1U << count) - 1U); lanes != 0; lanes &= lanes - 1) {
+        const auto lane = static_cast<std::uint32_t>(std::countr_zero(lanes));
+        const TriangleCorners corners = block.turned(lane, shear.axes);
+        const float t = detail::meetPlane(corners, shear);
+        if (!(t > tMin && t < limit)) continue;
+        if ((bits.certain >> lane & 1U) != 0 ||
+            detail::hitWithin({shear(corners[0]), shear(corners[1]), shear(corners[2])}, doubleSided, t))
+            return true;
+    }
+    return false;
+}
+
+// Calls offer(hit) for hits at t in (tMin, limit) until it returns true; whether it did. Not inlined: then
+// more of it stays in registers.
 template <Order kOrder, class Offer, class Log>
-HWY_INLINE bool visitMesh(const IndexedMesh<Bvh8>& mesh, const Ray& local, const float& limit,
-                          const Offer& offer, Log log) {
+HWY_NOINLINE bool visitMesh(const IndexedMesh<Bvh8>& mesh, const Ray& local, const float& limit,
+                            const Offer& offer, Log log) {
     const RayShear shear(local);
     const auto leaf = [&, log](std::uint32_t first, std::uint32_t count) __attribute__((always_inline)) {
         for (const std::uint32_t triangle : mesh.index.entries().subspan(first, count))
             log.triangle(triangle);
-        return visitTriangles(mesh, first, count, shear, local.tMin, limit, offer);
+        if constexpr (kOrder == Order::Any)
+            return hitsTriangle(mesh, first, count, shear, local.tMin, limit) && offer(Hit{});
+        else
+            return visitTriangles(mesh, first, count, shear, local.tMin, limit, offer);
     };
     return traverse<kOrder>(mesh.index, local, RaySlab::kGrowthOfTriangles, limit, leaf, log);
 }

@@ -23,6 +23,13 @@ namespace eyeray::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 using Floats = hn::CappedTag<float, Bvh8::kWidth>;
 
+/// One bit for each lane.
+HWY_INLINE std::uint32_t bitsFrom(hn::Mask<Floats> mask) {
+    std::uint8_t bits[8] = {};
+    hn::StoreMaskBits(Floats(), mask, bits);
+    return bits[0];
+}
+
 /// A ray's slab test, for the boxes of a node at once.
 class SlabLanes {
 public:
@@ -50,9 +57,7 @@ public:
                 out = hn::Min(hn::MulSub(hn::Load(d, &far[lane]), inverse_[axis], toFar_[axis]), out);
             }
             hn::Store(in, d, &enters[lane]);
-            std::uint8_t bits[8] = {};
-            hn::StoreMaskBits(d, hn::Le(in, out), bits);
-            met |= static_cast<std::uint32_t>(bits[0]) << lane;
+            met |= bitsFrom(hn::Le(in, out)) << lane;
         }
         return met;
     }
@@ -66,13 +71,18 @@ private:
 /// More than the rounding of a corner's distance and of the limit's.
 inline constexpr float kBeyond = 1 + 0x1p-20F;
 
-/// Which triangles of a block the ray may meet before `limit`, a bit each: those that intersectCorners does
-/// not rule out by the signs of their areas in float, by the same operations, and that are not behind the
-/// origin or beyond the limit with all corners.
-inline std::uint32_t mayMeet(const TriangleBlock& block, bool doubleSided, const RayShear& shear,
-                             float limit) {
+/// Triangles of a block, a bit each.
+struct LeafBits {
+    std::uint32_t open = 0;    // the ray may meet it
+    std::uint32_t certain = 0; // its areas have the sign that is asked for
+};
+
+/// Which triangles the ray may meet before `limit`: those that intersectCorners does not rule out by the
+/// signs of their areas in float, by the same operations, and that are not behind the origin or beyond the
+/// limit with all corners.
+inline LeafBits mayMeet(const TriangleBlock& block, bool doubleSided, const RayShear& shear, float limit) {
     const Floats d;
-    std::uint32_t kept = 0;
+    LeafBits result;
     const float along = shear.direction[2];
     const float farthest = limit * std::fabs(along) * kBeyond;
     for (std::size_t lane = 0; lane < Bvh8::kWidth; lane += hn::Lanes(d)) {
@@ -92,21 +102,22 @@ inline std::uint32_t mayMeet(const TriangleBlock& block, bool doubleSided, const
         const auto v = hn::Sub(hn::Mul(ax, cy), hn::Mul(ay, cx));
         const auto w = hn::Sub(hn::Mul(bx, ay), hn::Mul(by, ax));
         const auto zero = hn::Zero(d);
-        const auto negative = hn::Lt(hn::Min(u, hn::Min(v, w)), zero);
-        const auto positive = hn::Gt(hn::Max(u, hn::Max(v, w)), zero);
-        const auto beside = doubleSided ? hn::And(negative, positive) : negative;
+        const auto least = hn::Min(u, hn::Min(v, w)), most = hn::Max(u, hn::Max(v, w));
+        auto beside = hn::Lt(least, zero), certain = hn::Gt(least, zero);
+        if (doubleSided) {
+            beside = hn::And(beside, hn::Gt(most, zero));
+            certain = hn::Or(certain, hn::Lt(most, zero));
+        }
         const auto sign = hn::Set(d, std::copysign(1.0F, along));
         const auto first = hn::Min(az, hn::Min(bz, cz)), last = hn::Max(az, hn::Max(bz, cz));
         // How far ahead: not by a branch on the sign, for it would be taken at random.
         const auto one = hn::Mul(first, sign), other = hn::Mul(last, sign);
         const auto outside =
             hn::Or(hn::Lt(hn::Max(one, other), zero), hn::Gt(hn::Min(one, other), hn::Set(d, farthest)));
-        const auto missed = hn::Or(beside, outside);
-        std::uint8_t bits[8] = {};
-        hn::StoreMaskBits(d, hn::Not(missed), bits);
-        kept |= static_cast<std::uint32_t>(bits[0]) << lane;
+        result.open |= bitsFrom(hn::Not(hn::Or(beside, outside))) << lane;
+        result.certain |= bitsFrom(certain) << lane;
     }
-    return kept;
+    return result;
 }
 
 /// A child that is still to be gone into: where the ray enters it, and which it is, in one integer that

@@ -49,13 +49,6 @@ struct Rows {
     }
 };
 
-/// One bit for each lane.
-HWY_INLINE std::uint32_t bitsFrom(hn::Mask<Floats> mask) {
-    std::uint8_t bits[8] = {};
-    hn::StoreMaskBits(Floats(), mask, bits);
-    return bits[0];
-}
-
 /// The rays whose directions are longest along each axis, as longestAxis has it, a bit each.
 HWY_INLINE std::array<std::uint32_t, 3> byLongestAxis(const Vec3Lanes& direction) {
     const Vec3Lanes size = abs(direction);

@@ -69,34 +69,44 @@ inline double edge(const Vec2& p, const Vec2& q) {
     return static_cast<double>(p.x) * q.y - static_cast<double>(p.y) * q.x;
 }
 
-/// The rest of the test for a triangle, of turned corners, that its sheared ones do not rule out.
-inline std::optional<Hit> finishTriangle(const TriangleCorners& corners, const std::array<Vec2, 3>& sheared,
-                                         bool doubleSided, const RayShear& shear, float tMin, float tMax) {
+/// t where the ray meets the plane of a triangle, of turned corners; infinite behind the origin, and where it
+/// has no plane.
+inline float meetPlane(const TriangleCorners& corners, const RayShear& shear) {
     const DVec3 origin = toDouble(shear.origin), direction = toDouble(shear.direction);
     const DVec3 first = toDouble(corners[0]), second = toDouble(corners[1]), third = toDouble(corners[2]);
     const DVec3 normal = glm::cross(second - first, third - first);
-    // Where the ray meets the plane of the triangle. From the unsheared corners: a ray that starts beside the
-    // plane by one unit in the last place knows on which side.
+    // From the unsheared corners: a ray that starts beside the plane by one unit in the last place knows on
+    // which side.
     const double distance = glm::dot(normal, first - origin), approach = glm::dot(normal, direction);
     // Where the corners lie along the longest axis of the ray, from its origin on and ahead.
     const double along = std::fabs(direction.z), sign = std::copysign(1.0, direction.z);
     const double a = sign * (first.z - origin.z), b = sign * (second.z - origin.z),
                  c = sign * (third.z - origin.z);
     const double nearest = std::min(a, std::min(b, c)), farthest = std::max(a, std::max(b, c));
-    if (nearest <= 0 && distance * approach < 0) return {}; // behind, like the triangle that a ray leaves
+    if (nearest <= 0 && distance * approach < 0) return kInfinity; // like the triangle that a ray leaves
+    if (approach == 0 && normal == DVec3(0)) return kInfinity;
     // Kept within the t of its corners: so it is bounded also for a triangle seen edge-on.
-    const auto t =
-        static_cast<float>(std::min(std::max(nearest / along, distance / approach), farthest / along));
-    if (!(t > tMin && t < tMax)) return {}; // first, for it rules out the triangle that a ray leaves
+    return static_cast<float>(std::min(std::max(nearest / along, distance / approach), farthest / along));
+}
 
+/// The hit at t of a triangle whose sheared corners are around the ray.
+inline std::optional<Hit> hitWithin(const std::array<Vec2, 3>& sheared, bool doubleSided, float t) {
     const double u = edge(sheared[2], sheared[1]), v = edge(sheared[0], sheared[2]),
                  w = edge(sheared[1], sheared[0]);
     const bool front = u >= 0 && v >= 0 && w >= 0, back = u <= 0 && v <= 0 && w <= 0;
     if (!front && !(doubleSided && back)) return {};
     const double sum = u + v + w;
-    if (!(std::fabs(sum) > 0) || normal == DVec3(0)) return {};
+    if (!(std::fabs(sum) > 0)) return {};
     const double share = 1 / sum;
     return Hit{.t = t, .u = static_cast<float>(v * share), .v = static_cast<float>(w * share)};
+}
+
+/// The rest of the test for a triangle, of turned corners, that its sheared ones do not rule out.
+inline std::optional<Hit> finishTriangle(const TriangleCorners& corners, const std::array<Vec2, 3>& sheared,
+                                         bool doubleSided, const RayShear& shear, float tMin, float tMax) {
+    const float t = meetPlane(corners, shear);
+    if (!(t > tMin && t < tMax)) return {}; // first, for it rules out the triangle that a ray leaves
+    return hitWithin(sheared, doubleSided, t);
 }
 }
 
