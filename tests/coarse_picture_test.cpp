@@ -24,15 +24,18 @@ public:
     }
     std::optional<int> trace(double seconds, const std::function<void(int step)>& tile) {
         last_.assign(kTiles, 0);
+        calls_ = 0;
         std::vector<int> tiles(kTiles);
         std::iota(tiles.begin(), tiles.end(), 0);
         return coarse_.trace(pool_, tiles, seconds, stop.get_token(), [&](int index, int step) {
             tile(step);
             const std::scoped_lock lock(mutex_);
             last_[static_cast<std::size_t>(index)] = step;
+            ++calls_;
         });
     }
     const std::vector<int>& last() const { return last_; }
+    std::size_t calls() const { return calls_; }
 
     std::stop_source stop;
 
@@ -41,6 +44,7 @@ private:
     CoarsePicture coarse_;
     std::mutex mutex_;
     std::vector<int> last_;
+    std::size_t calls_ = 0;
 };
 
 std::vector<int> allOf(int step) { return std::vector<int>(kTiles, step); }
@@ -51,6 +55,7 @@ TEST(CoarsePicture, WithTimeEnoughHasTheFinestBlocks) {
     EXPECT_EQ(first, CoarsePicture::kFinestStep);
     EXPECT_EQ(second, CoarsePicture::kFinestStep);
     EXPECT_EQ(traced.last(), allOf(CoarsePicture::kFinestStep));
+    EXPECT_EQ(traced.calls(), kTiles) << "no tile twice";
 }
 
 TEST(CoarsePicture, WithNoTimeLeftHasTheCoarsestBlocks) {

@@ -26,10 +26,7 @@ double blocksOf(std::size_t tiles, int step) {
 std::optional<int> CoarsePicture::trace(ThreadPool& pool, std::span<const int> tiles, double seconds,
                                         const std::stop_token& stop,
                                         const std::function<void(int tile, int step)>& traceTile) {
-    const auto start = Clock::now();
-    std::vector<int> few, others;
-    for (std::size_t i = 0; i < tiles.size(); ++i) (i % kTilesOfOne == 0 ? few : others).push_back(tiles[i]);
-    const auto traceAll = [&](const std::vector<int>& some, int step) {
+    const auto traceAll = [&](std::span<const int> some, int step) {
         if (some.empty()) return true;
         const auto begin = Clock::now();
         const bool whole = pool.forEach(static_cast<int>(some.size()), stop,
@@ -38,6 +35,10 @@ std::optional<int> CoarsePicture::trace(ThreadPool& pool, std::span<const int> t
         secondsPerBlock_ = secondsSince(begin) / blocksOf(some.size(), step);
         return true;
     };
+    if (seconds == kInfinity) return traceAll(tiles, kFinestStep) ? std::optional(kFinestStep) : std::nullopt;
+    const auto start = Clock::now();
+    std::vector<int> few, others;
+    for (std::size_t i = 0; i < tiles.size(); ++i) (i % kTilesOfOne == 0 ? few : others).push_back(tiles[i]);
     const int foreseen = stepWithin(seconds, tiles.size());
     if (!traceAll(few, foreseen)) return std::nullopt;
     const double left = seconds - secondsSince(start);

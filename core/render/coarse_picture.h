@@ -17,9 +17,9 @@ public:
     static constexpr int kCoarsestStep = 32, kFinestStep = 4;
 
     /// Calls traceTile(tile, step) by all threads for each of the tiles, once with the step that it returns:
-    /// the finest of these powers of two that is foreseen to take no longer than `seconds`. A few tiles are
-    /// traced first, perhaps with another step. Nothing if `stop` was requested. Throws what traceTile
-    /// throws.
+    /// the finest of these powers of two that is foreseen to take no longer than `seconds`. Unless that is
+    /// infinite, a few tiles are traced before the others, perhaps with another step. Nothing if `stop` was
+    /// requested. Throws what traceTile throws.
     std::optional<int> trace(ThreadPool&, std::span<const int> tiles, double seconds,
                              const std::stop_token& stop,
                              const std::function<void(int tile, int step)>& traceTile);
