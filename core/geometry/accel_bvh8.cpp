@@ -27,14 +27,17 @@ namespace eyeray {
 HWY_EXPORT(closestHit8);
 HWY_EXPORT(anyHit8);
 
+// HWY_DYNAMIC_DISPATCH would call the library for each ray.
+static const hwy::ChosenTarget& chosenTarget = hwy::GetChosenTarget();
+
 template <>
 std::optional<Hit> closestHit(const IndexedGeometry<Bvh8>& geometry, const Ray& ray, RayMask mask) {
-    return HWY_DYNAMIC_DISPATCH(closestHit8)(geometry, ray, mask);
+    return HWY_DISPATCH_TABLE(closestHit8)[chosenTarget.GetIndex()](geometry, ray, mask);
 }
 
 template <>
 bool anyHit(const IndexedGeometry<Bvh8>& geometry, const Ray& ray, RayMask mask) {
-    return HWY_DYNAMIC_DISPATCH(anyHit8)(geometry, ray, mask);
+    return HWY_DISPATCH_TABLE(anyHit8)[chosenTarget.GetIndex()](geometry, ray, mask);
 }
 
 }

@@ -57,16 +57,18 @@ HWY_INLINE bool hitsTriangle(const IndexedMesh<Bvh8>& mesh, std::uint32_t first,
 template <Order kOrder, class Offer, class Log>
 HWY_NOINLINE bool visitMesh(const IndexedMesh<Bvh8>& mesh, const Ray& local, const float& limit,
                             const Offer& offer, Log log) {
-    const RayShear shear(local);
-    const auto leaf = [&, log](std::uint32_t first, std::uint32_t count) __attribute__((always_inline)) {
-        for (const std::uint32_t triangle : mesh.index.entries().subspan(first, count))
-            log.triangle(triangle);
-        if constexpr (kOrder == Order::Any)
-            return hitsTriangle(mesh, first, count, shear, local.tMin, limit) && offer(Hit{});
-        else
-            return visitTriangles(mesh, first, count, shear, local.tMin, limit, offer);
+    const auto prepare = [&, log]() __attribute__((always_inline)) {
+        return [&, log, shear = RayShear(local)](std::uint32_t first, std::uint32_t count)
+                   __attribute__((always_inline)) {
+                       for (const std::uint32_t triangle : mesh.index.entries().subspan(first, count))
+                           log.triangle(triangle);
+                       if constexpr (kOrder == Order::Any)
+                           return hitsTriangle(mesh, first, count, shear, local.tMin, limit) && offer(Hit{});
+                       else
+                           return visitTriangles(mesh, first, count, shear, local.tMin, limit, offer);
+                   };
     };
-    return traverse<kOrder>(mesh.index, local, RaySlab::kGrowthOfTriangles, limit, leaf, log);
+    return traverse<kOrder>(mesh.index, local, RaySlab::kGrowthOfTriangles, limit, prepare, log);
 }
 
 template <Order kOrder, class Offer, class Log>
@@ -96,7 +98,7 @@ HWY_INLINE bool visitHits(const IndexedGeometry<Bvh8>& geometry, const Ray& ray,
             if (inInstance(geometry.top.entries()[slot])) return true;
         return false;
     };
-    return traverse<kOrder>(geometry.top, ray, RaySlab::kGrowth, limit, leaf, log);
+    return traverse<kOrder>(geometry.top, ray, RaySlab::kGrowth, limit, [&] { return leaf; }, log);
 }
 
 template <class Log>

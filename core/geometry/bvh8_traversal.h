@@ -142,40 +142,45 @@ private:
 enum class Order : std::uint8_t { Nearest, Any };
 
 /// Calls leaf(first slot, slots) for the leaves whose boxes, grown as by RaySlab, the ray may meet at t in
-/// [tMin, limit], until it returns true; whether it did. Roughly from near to far, if the order is Nearest.
-/// `limit` may shrink meanwhile.
-template <Order kOrder, class Leaf, class Log>
-HWY_INLINE bool traverse(const Bvh8& tree, const Ray& ray, float growth, const float& limit, const Leaf& leaf,
-                         Log log) {
-    if (tree.nodes().empty()) return false;
+/// [tMin, limit], until it returns true; whether it did. If the order is Nearest, roughly from near to far,
+/// and `limit` may shrink meanwhile. prepare() returns the leaf function; it is called only once the ray
+/// meets some child of the root.
+template <Order kOrder, class Prepare, class Log>
+HWY_INLINE bool traverse(const Bvh8& tree, const Ray& ray, float growth, const float& limit,
+                         const Prepare& prepare, Log log) {
+    if (tree.size() == 0) return false;
+    constexpr bool kNearest = kOrder == Order::Nearest; // else it matters not where children are entered
     constexpr std::size_t kMostPending = Bvh2::kMaxDepth * (Bvh8::kWidth - 1) + 1;
     std::array<PendingChild, kMostPending> stack; // the nearest on top
     std::size_t pending = 0;
     alignas(32) std::array<float, Bvh8::kWidth> enters;
     const SlabLanes slab(RaySlab(ray, tree.bounds(), growth));
     const Bvh8::Node* const nodes = tree.nodes().data();
+    const Bvh8::Node* node = nodes;
+    std::uint32_t met = 0; // children of the node, a bit each
+    const auto open = [&](std::uint32_t id) __attribute__((always_inline)) {
+        node = nodes + id;
+        met = slab.enterChildren(*node, limit, enters);
+        log.node();
+        log.boxes(id, Bvh8::childrenOf(*node), met);
+    };
+    open(0);
+    if (met == 0) return false;
+    const auto leaf = prepare();
     const bool upward = ray.direction.x + ray.direction.y + ray.direction.z > 0;
-    std::uint32_t child = 0;
     while (true) {
-        if (Bvh8::isLeaf(child)) {
-            const auto [first, count] = Bvh8::leafOf(child);
-            if (leaf(first, count)) return true;
-        } else {
-            const Bvh8::Node& node = nodes[child];
-            std::uint32_t met = slab.enterChildren(node, limit, enters);
-            log.node();
-            log.boxes(child, Bvh8::childrenOf(node), met);
+        std::uint32_t child;
+        if (met != 0) {
             const auto lowest = [&](std::uint32_t lanes) {
                 const auto lane = static_cast<std::size_t>(std::countr_zero(lanes));
-                return PendingChild(enters[lane], node.child[lane]);
+                return PendingChild(kNearest ? enters[lane] : 0, node->child[lane]);
             };
-            if (met != 0) {
-                const auto first = static_cast<std::size_t>(std::countr_zero(met));
-                child = node.child[first];
-                met &= met - 1;
-                if (met == 0) continue; // mostly; where it is entered has not to be waited for
-                PendingChild next(enters[first], child);
-                if constexpr (kOrder == Order::Any) {
+            const auto first = static_cast<std::size_t>(std::countr_zero(met));
+            child = node->child[first];
+            met &= met - 1;
+            if (met != 0) { // mostly not, and then where it is entered has not to be waited for
+                PendingChild next(kNearest ? enters[first] : 0, child);
+                if constexpr (!kNearest) {
                     if (upward) {
                         for (; met != 0; met &= met - 1) {
                             stack[pending++] = next;
@@ -197,14 +202,20 @@ HWY_INLINE bool traverse(const Bvh8& tree, const Ray& ray, float growth, const f
                     }
                 }
                 child = next.child();
-                continue;
             }
+        } else {
+            do {
+                if (pending == 0) return false;
+                --pending;
+            } while (kNearest && stack[pending].enters() > limit);
+            child = stack[pending].child();
         }
-        do {
-            if (pending == 0) return false;
-            --pending;
-        } while (stack[pending].enters() > limit);
-        child = stack[pending].child();
+        if (!Bvh8::isLeaf(child)) {
+            open(child);
+            continue;
+        }
+        const auto [first, count] = Bvh8::leafOf(child);
+        if (leaf(first, count)) return true;
     }
 }
 

@@ -19,25 +19,23 @@ class RaySlab {
 public:
     /// `world` is a box around all boxes that will be tested. `growth`: how far they grow on all sides, in
     /// units of the way from the origin to their farthest side.
-    RaySlab(const Ray& ray, const Bounds& world, float growth = kGrowth) : tMin_(ray.tMin * kSooner) {
-        const float reach = reachOf(ray.origin, world);
-        const Vec3 inverse = 1.0F / ray.direction;
-        const float least =
-            std::min(std::fabs(inverse.x), std::min(std::fabs(inverse.y), std::fabs(inverse.z)));
-        const float steepest = kSteepest * least, before = kBefore * reach * least;
-        std::array<float, 3> behind;
-        behind.fill(kBehind * reach * least);
-        behind[longestAxis(ray.direction)] = 0;
-        for (std::size_t i = 0; i < 3; ++i) {
-            const int axis = static_cast<int>(i);
-            near_[i] = std::bit_cast<std::uint32_t>(ray.direction[axis]) >> 31U;
-            inverse_[i] = std::min(std::max(inverse[axis], -steepest), steepest);
-            const float origin = ray.origin[axis] * inverse_[i];
-            const float grown =
-                (growth * reach + kRounded * std::fabs(ray.origin[axis])) * std::fabs(inverse_[i]);
-            toNear_[i] = origin + (grown + before);
-            toFar_[i] = origin - (grown + behind[i]);
-        }
+    /// Inlined, so that it is compiled for the instruction set of the traversal.
+    [[gnu::always_inline]] RaySlab(const Ray& ray, const Bounds& world, float growth = kGrowth)
+        : tMin_(ray.tMin * kSooner) {
+        const Four origin = four(ray.origin), direction = four(ray.direction);
+        const Four below = origin - four(world.lo), above = four(world.hi) - origin;
+        const Four farthest = below > above ? below : above;
+        const float reach = std::max(farthest[0], std::max(farthest[1], farthest[2]));
+        const Four inverse = 1.0F / direction, steepness = abs(inverse);
+        const float least = std::min(steepness[0], std::min(steepness[1], steepness[2]));
+        const Four steepest = Four{} + kSteepest * least;
+        inverse_ = inverse < -steepest ? -steepest : inverse > steepest ? steepest : inverse;
+        const Four grown = (growth * reach + kRounded * abs(origin)) * abs(inverse_);
+        const Four atOrigin = origin * inverse_;
+        toNear_ = atOrigin + (grown + kBefore * reach * least);
+        toFar_ = atOrigin - (grown + kBehind * reach * least * kBesideLongest[longestAxis(ray.direction)]);
+        for (std::size_t axis = 0; axis < 3; ++axis)
+            near_[axis] = std::bit_cast<std::uint32_t>(direction[axis]) >> 31U;
     }
 
     /// Least t in [tMin, limit] at which the ray is in the box, infinite if there is none. `corners` are its
@@ -82,13 +80,15 @@ private:
     static constexpr float kRounded = 3.001F * 0x1p-24F;
     static constexpr float kSooner = 1 - 8 * 0x1p-24F;
 
-    static float reachOf(const Vec3& origin, const Bounds& world) {
-        const Vec3 farthest = glm::max(world.hi - origin, origin - world.lo);
-        return std::max(farthest.x, std::max(farthest.y, farthest.z));
-    }
+    // By axis, all three in one register; the fourth counts for nothing.
+    using Four = float __attribute__((vector_size(16)));
+    using Bits = std::uint32_t __attribute__((vector_size(16)));
+    static constexpr std::array<Four, 3> kBesideLongest{Four{0, 1, 1}, Four{1, 0, 1}, Four{1, 1, 0}};
+    static Four four(const Vec3& v) { return Four{v.x, v.y, v.z, v.z}; }
+    static Four abs(Four v) { return std::bit_cast<Four>(std::bit_cast<Bits>(v) & 0x7fffffffU); }
 
     float tMin_;
-    std::array<float, 3> inverse_, toNear_, toFar_;
+    Four inverse_, toNear_, toFar_;
     std::array<std::size_t, 3> near_; // which corner the ray meets first on each axis
 };
 
