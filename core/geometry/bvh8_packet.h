@@ -25,24 +25,25 @@ public:
 
 private:
     void ask(Rows rows) {
-        if (geometry_.top.nodes().empty()) return askAlways(rows);
-        const PacketSlab slab(rays_, rows, geometry_.top.bounds());
+        const RayRanges ranges(rays_.asked, rows, [&](std::size_t row) HWY_ATTR { return rays_.rows[row]; });
+        if (geometry_.top.nodes().empty()) return askAlways(rows, ranges);
+        const PacketSlab slab(ranges, geometry_.top.bounds());
         if (!slab.coherent()) {
             if (rows.count() == 1) return singly(rows.first);
             for (const Rows half : rows.halves()) ask(half);
             return;
         }
-        askAlways(rows);
+        askAlways(rows, ranges);
         const auto leaf = [&](const Bvh8::Node& node, std::size_t child) HWY_ATTR {
             const auto [first, count] = Bvh8::leafOf(node.child[child]);
             for (std::uint32_t slot = first; slot < first + count; ++slot)
-                inInstance(geometry_.top.entries()[slot], rows);
+                inInstance(geometry_.top.entries()[slot], rows, ranges);
         };
         traverse(geometry_.top, slab, hits_.limits(), rows, leaf);
     }
 
-    void askAlways(Rows rows) {
-        for (const std::uint32_t id : geometry_.always) inInstance(id, rows);
+    void askAlways(Rows rows, const RayRanges& ranges) {
+        for (const std::uint32_t id : geometry_.always) inInstance(id, rows, ranges);
     }
 
     void singly(std::size_t row) {
@@ -52,46 +53,55 @@ private:
         });
     }
 
-    void inInstance(std::uint32_t id, Rows rows) {
+    void inInstance(std::uint32_t id, Rows rows, const RayRanges& ranges) {
         const Instance<Bvh8>& instance = geometry_.instances[id];
         if (!sees(mask_, instance.mask)) return;
-        PacketRays local;
-        for (std::size_t row = rows.first; row < rows.end; ++row) {
-            local.asked[row] = rays_.asked[row];
-            local.rows[row] = toObject(instance.placement, rays_.rows[row]);
-            local.rows[row].tMax = hits_.limit(row);
-        }
+        const LocalRays local{rays_, instance.placement};
         if (const Shape* shape = std::get_if<Shape>(&instance.geometry))
-            inShape(*shape, id, local, rows);
-        else
-            inMesh(**std::get_if<1>(&instance.geometry), id, local, rows);
+            return inShape(*shape, id, local, rows);
+        const IndexedMesh<Bvh8>& mesh = **std::get_if<1>(&instance.geometry);
+        inMesh(mesh, id, local, rows,
+               instance.placement.translates() ? ranges.moved(instance.placement.worldToObject().translation)
+                                               : rangesOf(local, rows));
     }
 
-    void inShape(const Shape& shape, std::uint32_t id, const PacketRays& local, Rows rows) {
+    static RayRanges rangesOf(const LocalRays& local, Rows rows) {
+        return {local.world.asked, rows, [&](std::size_t row) HWY_ATTR { return local.row(row); }};
+    }
+
+    /// With the limit of each ray.
+    RayLanes rowOf(const LocalRays& local, std::size_t row) const {
+        RayLanes rays = local.row(row);
+        rays.tMax = hits_.limit(row);
+        return rays;
+    }
+
+    void inShape(const Shape& shape, std::uint32_t id, const LocalRays& local, Rows rows) {
         for (std::size_t row = rows.first; row < rows.end; ++row) {
+            const RayLanes rays = rowOf(local, row);
             const ShapeHitLanes hits =
-                std::visit([&](const auto& s) HWY_ATTR { return intersect(s, local.rows[row]); }, shape);
-            const auto t = hn::IfThenElse(maskOf(local.asked[row]), hits.t, all(kInfinity));
+                std::visit([&](const auto& s) HWY_ATTR { return intersect(s, rays); }, shape);
+            const auto t = hn::IfThenElse(maskOf(rays_.asked[row]), hits.t, all(kInfinity));
             if (hn::AllFalse(FloatTag(), t < all(kInfinity))) continue;
             const auto ids = hn::Set(IntTag(), static_cast<std::int32_t>(id));
             hits_.offer(row, {t, hits.u, all(0.0F), hits.face, ids});
         }
     }
 
-    void inMesh(const IndexedMesh<Bvh8>& mesh, std::uint32_t id, const PacketRays& local, Rows rows) {
-        const PacketSlab slab(local, rows, mesh.index.bounds());
+    void inMesh(const IndexedMesh<Bvh8>& mesh, std::uint32_t id, const LocalRays& local, Rows rows,
+                const RayRanges& ranges) {
+        const PacketSlab slab(ranges, mesh.index.bounds());
         if (!slab.coherent()) {
-            if (rows.count() == 1)
-                return singly(mesh, id, local.rows[rows.first], rows.first, local.asked[rows.first]);
-            for (const Rows half : rows.halves()) inMesh(mesh, id, local, half);
+            if (rows.count() == 1) return singly(mesh, id, rowOf(local, rows.first), rows.first);
+            for (const Rows half : rows.halves()) inMesh(mesh, id, local, half, rangesOf(local, half));
             return;
         }
         std::array<Asked, 3> asked{};
         std::array<std::uint32_t, 3> some{};
         for (std::size_t row = rows.first; row < rows.end; ++row) {
-            const auto byAxis = byLongestAxis(local.rows[row].direction);
+            const auto byAxis = byLongestAxis(local.row(row).direction);
             for (std::size_t axis = 0; axis < 3; ++axis)
-                some[axis] |= asked[axis][row] = local.asked[row] & byAxis[axis];
+                some[axis] |= asked[axis][row] = rays_.asked[row] & byAxis[axis];
         }
         for (std::size_t axis = 0; axis < 3; ++axis) {
             if (some[axis] == 0) continue;
@@ -101,10 +111,9 @@ private:
         }
     }
 
-    void singly(const IndexedMesh<Bvh8>& mesh, std::uint32_t id, const RayLanes& local, std::size_t row,
-                std::uint32_t asked) {
+    void singly(const IndexedMesh<Bvh8>& mesh, std::uint32_t id, const RayLanes& local, std::size_t row) {
         const RaySpread single(local);
-        for (std::uint32_t bits = asked; bits != 0; bits &= bits - 1) {
+        for (std::uint32_t bits = rays_.asked[row]; bits != 0; bits &= bits - 1) {
             const auto lane = static_cast<std::size_t>(std::countr_zero(bits));
             NearestHit nearest(single.at(lane));
             const auto take = [&](Hit hit) {

@@ -7,6 +7,8 @@
 #define EYERAY_PACKET_MESH_H
 #endif
 
+#include <hwy/cache_control.h>
+
 #include "core/geometry/bvh8_hits.h"
 #include "core/geometry/packet_hits.h"
 #include "core/geometry/packet_traversal.h"
@@ -19,7 +21,7 @@ namespace eyeray::HWY_NAMESPACE {
 struct RaysInMesh {
     const IndexedMesh<Bvh8>& mesh;
     std::uint32_t instance;
-    const PacketRays& local;
+    const LocalRays& local;
     const Asked& asked; // some rays
     Rows rows;
 };
@@ -48,6 +50,7 @@ private:
     static constexpr int kFewRows = 2, kFewRays = 8;
 
     HWY_INLINE void meetLeaf(const Bounds& box, Bvh8::Leaf leaf) {
+        prefetch(leaf);
         const std::uint32_t rows = shear_.rowsThatMayMeet(box, hits_.limits());
         if (rows == 0) return;
         if (std::popcount(rows) <= kFewRows) {
@@ -60,6 +63,15 @@ private:
                 shear_.mayMeet(row, triangles, hits_.limits()[row]) & ((1U << leaf.count) - 1U);
             eachBit(met, [&](std::size_t triangle) HWY_ATTR { meet(triangles, triangle, leaf.first, row); });
         });
+    }
+
+    /// What lies in no cache comes while the leaf's box is tested.
+    HWY_INLINE void prefetch(Bvh8::Leaf leaf) const {
+        constexpr std::size_t kCacheLine = 64;
+        const TriangleBlock& block = here_.mesh.triangles.block(leaf.first);
+        const auto* const bytes = reinterpret_cast<const std::byte*>(&block);
+        for (std::size_t i = 0; i < sizeof(block); i += kCacheLine) hwy::Prefetch(bytes + i);
+        hwy::Prefetch(&here_.mesh.index.entries()[leaf.first]);
     }
 
     /// How many, and a bit each.
@@ -75,8 +87,8 @@ private:
     HWY_NOINLINE void meetByRay(Bvh8::Leaf leaf, std::uint32_t rows, const Asked& rays) {
         eachBit(rows, [&](std::size_t row) HWY_ATTR {
             if (rays[row] == 0) return;
-            const ShearSpread single(shear_.row(row));
-            const Spread tMin = spread(here_.local.rows[row].tMin), limits = spread(hits_.limit(row));
+            const ShearSpread single = shear_.single(row);
+            const Spread tMin = spread(here_.local.world.rows[row].tMin), limits = spread(hits_.limit(row));
             eachBit(rays[row], [&](std::size_t lane) HWY_ATTR {
                 NearestHit nearest(limits.lane[lane]);
                 const auto take = [&](Hit hit) {
@@ -101,7 +113,8 @@ private:
         const auto certain = hn::And(open, at.certain);
         if (!hn::AllFalse(f, certain)) {
             const FloatLanes t = shear_.meetPlane(row, triangles, triangle, at);
-            const auto met = hn::And(certain, hn::And(t > here_.local.rows[row].tMin, t < hits_.limit(row)));
+            const auto met =
+                hn::And(certain, hn::And(t > here_.local.world.rows[row].tMin, t < hits_.limit(row)));
             take(slot, row, hn::IfThenElse(met, t, all(kInfinity)));
         }
         const auto unclear = hn::AndNot(at.certain, open);
@@ -122,8 +135,8 @@ private:
     /// Rays through an edge or a corner, where areas may be zero.
     HWY_NOINLINE void meetSingly(std::uint32_t slot, const TriangleCorners& corners, std::size_t row,
                                  FloatMask unclear) {
-        const ShearSpread single(shear_.row(row));
-        const Spread tMin = spread(here_.local.rows[row].tMin), limits = spread(hits_.limit(row));
+        const ShearSpread single = shear_.single(row);
+        const Spread tMin = spread(here_.local.world.rows[row].tMin), limits = spread(hits_.limit(row));
         eachLane(unclear, [&](std::size_t lane) HWY_ATTR {
             const RayShear shear = single.at(lane, shear_.axes());
             auto hit = detail::finishTriangle(
@@ -146,13 +159,13 @@ private:
     /// u and v of all hits of a row at once, as detail::finishTriangle.
     void finish(std::size_t row) {
         const ShearLanes& shear = shear_.row(row);
+        const Vec3Lanes origin = shear_.originOf(row);
         FloatLanes corners[3][3];
         gatherCorners(unfinished_[row], corners);
         const auto sheared = [&](std::size_t corner) HWY_ATTR {
             const auto& [x, y, z] = corners[corner];
-            const auto along = z - shear.origin.z;
-            return std::pair(widen(x - shear.origin.x - shear.sx * along),
-                             widen(y - shear.origin.y - shear.sy * along));
+            const auto along = z - origin.z;
+            return std::pair(widen(x - origin.x - shear.sx * along), widen(y - origin.y - shear.sy * along));
         };
         const auto edge = [](const auto& p, const auto& q)
                               HWY_ATTR { return p.first * q.second - p.second * q.first; };

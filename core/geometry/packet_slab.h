@@ -17,24 +17,18 @@ namespace eyeray::HWY_NAMESPACE {
 class PacketSlab {
 public:
     /// `world` is a box around all boxes that will be tested.
-    PacketSlab(const PacketRays& rays, Rows rows, const Bounds& world) {
-        const auto directions = rangesOf(rays, rows, &RayLanes::direction);
-        if (!sameWay(directions)) return;
-        const auto origins = rangesOf(rays, rows, &RayLanes::origin);
-        if (!closeTogether(origins, world)) return;
+    PacketSlab(const RayRanges& rays, const Bounds& world) : tMin_(rays.tMin) {
+        const auto& origins = rays.origins;
+        if (!rays.sameWay || !closeTogether(origins, world)) return;
         coherent_ = true;
         oneOrigin_ = std::ranges::all_of(origins, [](const Range& axis) { return axis.low == axis.high; });
-        RangeLanes tMin;
-        for (std::size_t row = rows.first; row < rows.end; ++row)
-            tMin.add(rays.rows[row].tMin, maskOf(rays.asked[row]));
-        tMin_ = tMin.ends().low;
         float reach = 0;
         for (std::size_t i = 0; i < 3; ++i) {
             const auto axis = static_cast<int>(i);
             reach = std::max({reach, world.hi[axis] - origins[i].low, origins[i].high - world.lo[axis]});
         }
         for (std::size_t i = 0; i < 3; ++i)
-            axes_[i] = Axis(origins[i], directions[i], RaySlab::kGrowth * reach);
+            axes_[i] = Axis(origins[i], rays.directions[i], RaySlab::kGrowth * reach);
     }
 
     /// Whether the rays run close together and to the same side along each axis; else the tests below are of
@@ -93,34 +87,10 @@ private:
     // Of an origin that is far from its own zero, so that the growth is not lost.
     static constexpr float kRounded = 3 * 0x1p-24F;
 
-    using Ranges = std::array<Range, 3>;
-
-    static Ranges rangesOf(const PacketRays& rays, Rows rows, Vec3Lanes RayLanes::* vector) {
-        RangeLanes x, y, z;
-        for (std::size_t row = rows.first; row < rows.end; ++row) {
-            const FloatMask there = maskOf(rays.asked[row]);
-            const Vec3Lanes& v = rays.rows[row].*vector;
-            x.add(v.x, there), y.add(v.y, there), z.add(v.z, there);
-        }
-        return {x.ends(), y.ends(), z.ends()};
-    }
-
-    // Wider packets meet so many boxes that single rays are faster: measured on reflections in knot and
-    // flake.
-    static constexpr float kWidest = 0.03F;
-
-    static bool sameWay(const Ranges& directions) {
-        float longest = 0;
-        for (const auto& [low, high] : directions) longest = std::max({longest, high, -low});
-        return std::ranges::all_of(directions, [&](const Range& axis) {
-            return axis.high - axis.low <= kWidest * longest && !(axis.low < 0 && axis.high > 0);
-        });
-    }
-
-    static bool closeTogether(const Ranges& origins, const Bounds& world) {
+    static bool closeTogether(const std::array<Range, 3>& origins, const Bounds& world) {
         const float size = world.empty() ? kInfinity : eyeray::maxComponent(world.hi - world.lo);
-        return std::ranges::all_of(origins,
-                                   [&](const Range& axis) { return axis.high - axis.low <= kWidest * size; });
+        return std::ranges::all_of(
+            origins, [&](const Range& axis) { return axis.high - axis.low <= RayRanges::kWidest * size; });
     }
 
     std::array<Axis, 3> axes_;

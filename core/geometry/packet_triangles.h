@@ -12,9 +12,9 @@
 HWY_BEFORE_NAMESPACE();
 namespace eyeray::HWY_NAMESPACE {
 
-/// As RayShear, of the rays of a row, whose axes are the same.
+/// As RayShear, of the rays of a row, whose axes are the same, but for their origins.
 struct ShearLanes {
-    Vec3Lanes origin, direction; // turned
+    Vec3Lanes direction; // turned
     FloatLanes sx, sy;
     FloatLanes soonest,
         latest; // a little less, or more, than the inverse of the direction along the third axis
@@ -25,8 +25,8 @@ struct ShearSpread {
     Spread3 origin, direction;
     Spread sx, sy;
 
-    explicit ShearSpread(const ShearLanes& shear)
-        : origin(spread(shear.origin)), direction(spread(shear.direction)), sx(spread(shear.sx)),
+    ShearSpread(const Vec3Lanes& origins, const ShearLanes& shear)
+        : origin(spread(origins)), direction(spread(shear.direction)), sx(spread(shear.sx)),
           sy(spread(shear.sy)) {}
     RayShear at(std::size_t lane, const std::array<std::size_t, 3>& axes) const {
         return {axes, toArray(origin.at(lane)), toArray(direction.at(lane)), sx.lane[lane], sy.lane[lane]};
@@ -95,21 +95,28 @@ template <bool kOneOrigin>
 class PacketShear {
 public:
     /// `asked`: which rays, a bit each; some in one of the rows at least.
-    PacketShear(const PacketRays& rays, const Asked& asked, Rows rows) {
+    PacketShear(const LocalRays& rays, const Asked& asked, Rows rows) {
         std::size_t first = rows.first;
         while (asked[first] == 0) ++first;
         const auto lane = static_cast<std::size_t>(std::countr_zero(asked[first]));
-        const RayShear shear(RaySpread(rays.rows[first]).at(lane));
+        const RayShear shear(RaySpread(rays.row(first)).at(lane));
         axes_ = shear.axes;
         origin_ = shear.origin;
         forward_ = shear.direction[2] > 0;
         for (std::size_t row = first; row < rows.end; ++row)
-            if (asked[row] != 0) set(row, rays.rows[row], maskOf(asked[row]));
+            if (asked[row] != 0) set(row, rays.row(row), maskOf(asked[row]));
     }
 
     const std::array<std::size_t, 3>& axes() const { return axes_; }
     const ShearLanes& row(std::size_t i) const { return shears_[i]; }
     const std::array<float, 3>& origin() const { return origin_; }
+    HWY_INLINE Vec3Lanes originOf(std::size_t row) const {
+        if constexpr (kOneOrigin)
+            return {all(origin_[0]), all(origin_[1]), all(origin_[2])};
+        else
+            return turnedOrigins_[row];
+    }
+    ShearSpread single(std::size_t row) const { return {originOf(row), shears_[row]}; }
 
     /// Which rows have rays that may meet a triangle in a box before their own limit, a bit each.
     std::uint32_t rowsThatMayMeet(const Bounds& box, const OfRows& limits) const {
@@ -143,14 +150,14 @@ public:
             const auto axis = static_cast<int>(axes_[i]);
             return std::pair(all(box.lo[axis]) - origin, all(box.hi[axis]) - origin);
         };
-        const auto [zLow, zHigh] = from(2, shear.origin.z);
+        const Vec3Lanes origin = originOf(row);
+        const auto [zLow, zHigh] = from(2, origin.z);
         const auto zero = hn::Zero(FloatTag());
         const auto beside = [&](const auto& at, FloatLanes slope) HWY_ATTR {
             const auto p = slope * zLow, q = slope * zHigh;
             return hn::Or(at.first - hn::Max(p, q) > zero, at.second - hn::Min(p, q) < zero);
         };
-        const auto missed =
-            hn::Or(beside(from(0, shear.origin.x), shear.sx), beside(from(1, shear.origin.y), shear.sy));
+        const auto missed = hn::Or(beside(from(0, origin.x), shear.sx), beside(from(1, origin.y), shear.sy));
         const auto nearest = forward_ ? zLow : hn::Neg(zHigh), farthest = forward_ ? zHigh : hn::Neg(zLow);
         const auto within = hn::And(farthest >= zero, nearest * shear.soonest < limits);
         return hn::And(hn::AndNot(missed, within), asked);
@@ -196,19 +203,19 @@ public:
                                   std::size_t triangle, bool doubleSided) const {
         const ShearLanes& shear = shears_[row];
         const auto zero = hn::Zero(FloatTag());
-        const auto from = [&](std::size_t corner, std::size_t axis, FloatLanes origin) HWY_ATTR {
+        const Vec3Lanes origin = originOf(row);
+        const auto from = [&](std::size_t corner, std::size_t axis, FloatLanes o) HWY_ATTR {
             const auto at = all(triangles.at(triangle, corner, axis));
             if constexpr (kOneOrigin)
                 return at;
             else
-                return at - origin;
+                return at - o;
         };
         const auto x = [&](std::size_t corner, FloatLanes z)
-                           HWY_ATTR { return from(corner, 0, shear.origin.x) - shear.sx * z; };
+                           HWY_ATTR { return from(corner, 0, origin.x) - shear.sx * z; };
         const auto y = [&](std::size_t corner, FloatLanes z)
-                           HWY_ATTR { return from(corner, 1, shear.origin.y) - shear.sy * z; };
-        const auto az = from(0, 2, shear.origin.z), bz = from(1, 2, shear.origin.z),
-                   cz = from(2, 2, shear.origin.z);
+                           HWY_ATTR { return from(corner, 1, origin.y) - shear.sy * z; };
+        const auto az = from(0, 2, origin.z), bz = from(1, 2, origin.z), cz = from(2, 2, origin.z);
         const auto ax = x(0, az), ay = y(0, az), bx = x(1, bz), by = y(1, bz), cx = x(2, cz), cy = y(2, cz);
         const auto u = cx * by - cy * bx, v = ax * cy - ay * cx, w = bx * ay - by * ax;
         const auto least = hn::Min(u, hn::Min(v, w)), most = hn::Max(u, hn::Max(v, w));
@@ -233,7 +240,7 @@ public:
         const ShearLanes& shear = shears_[row];
         const auto& [first, normalOfPlane] = triangles.plane(triangle);
         const DVec3Lanes direction = widen(shear.direction), normal = all(normalOfPlane);
-        const DVec3Lanes origin = kOneOrigin ? all(detail::toDouble(origin_)) : widen(shear.origin);
+        const DVec3Lanes origin = kOneOrigin ? all(detail::toDouble(origin_)) : widen(originOf(row));
         DoubleLanes distance;
         if constexpr (kOneOrigin)
             distance = all(glm::dot(normalOfPlane, first - detail::toDouble(origin_)));
@@ -265,15 +272,14 @@ private:
         const std::array<FloatLanes, 3> o{rays.origin.x, rays.origin.y, rays.origin.z},
             d{rays.direction.x, rays.direction.y, rays.direction.z};
         ShearLanes& shear = shears_[row];
-        shear.origin = {o[axes_[0]], o[axes_[1]], o[axes_[2]]};
         shear.direction = {d[axes_[0]], d[axes_[1]], d[axes_[2]]};
         shear.sx = shear.direction.x / shear.direction.z;
         shear.sy = shear.direction.y / shear.direction.z;
         const auto along = hn::Abs(shear.direction.z), inverse = all(1.0F) / along;
         shear.soonest = inverse * all(1 / kBeyond), shear.latest = inverse * all(kBeyond);
         if constexpr (!kOneOrigin) {
-            origins_[0].set(row, shear.origin.x, asked), origins_[1].set(row, shear.origin.y, asked);
-            origins_[2].set(row, shear.origin.z, asked);
+            turnedOrigins_[row] = {o[axes_[0]], o[axes_[1]], o[axes_[2]]};
+            for (std::size_t i = 0; i < 3; ++i) origins_[i].set(row, o[axes_[i]], asked);
         }
         slopes_[0].set(row, shear.sx, asked), slopes_[1].set(row, shear.sy, asked);
         along_[row] = hn::GetLane(hn::MaxOfLanes(FloatTag(), hn::IfThenElseZero(asked, along))) * kBeyond;
@@ -312,6 +318,7 @@ private:
     }
 
     std::array<ShearLanes, kMostRows> shears_;
+    std::array<Vec3Lanes, kOneOrigin ? 1 : kMostRows> turnedOrigins_; // where they differ
     std::array<RowRanges, 3> origins_;
     std::array<RowRanges, 2> slopes_;
     alignas(32) OfRows along_{}; // the third axis, the most of each row
