@@ -7,6 +7,8 @@
 #define EYERAY_BVH8_HITS_H
 #endif
 
+#include <hwy/cache_control.h>
+
 #include "core/geometry/accel.h"
 #include "core/geometry/bvh8_traversal.h"
 #include "core/geometry/nearest_hit.h"
@@ -19,6 +21,7 @@ namespace eyeray::HWY_NAMESPACE {
 template <class Offer>
 HWY_INLINE bool visitTriangles(const IndexedMesh<Bvh8>& mesh, std::uint32_t first, std::uint32_t count,
                                const RayShear& shear, float tMin, const float& limit, const Offer& offer) {
+    hwy::Prefetch(&mesh.index.entries()[first]); // wanted last
     const TriangleBlock& block = mesh.triangles.block(first);
     const bool doubleSided = mesh.mesh->doubleSided;
     std::uint32_t lanes = mayMeet(block, doubleSided, shear, limit).open & ((1U << count) - 1U);

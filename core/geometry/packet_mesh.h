@@ -7,8 +7,6 @@
 #define EYERAY_PACKET_MESH_H
 #endif
 
-#include <hwy/cache_control.h>
-
 #include "core/geometry/bvh8_hits.h"
 #include "core/geometry/packet_hits.h"
 #include "core/geometry/packet_traversal.h"
