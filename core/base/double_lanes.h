@@ -85,6 +85,9 @@ HWY_INLINE DoubleLanes select(DoubleMask mask, DoubleLanes yes, DoubleLanes no) 
     return {hn::IfThenElse(mask.low, yes.low, no.low), hn::IfThenElse(mask.high, yes.high, no.high)};
 }
 
+HWY_INLINE DVec3Lanes select(DoubleMask mask, const DVec3Lanes& yes, const DVec3Lanes& no) {
+    return {select(mask, yes.x, no.x), select(mask, yes.y, no.y), select(mask, yes.z, no.z)};
+}
 HWY_INLINE DVec3Lanes all(const DVec3& v) { return {all(v.x), all(v.y), all(v.z)}; }
 HWY_INLINE DVec3Lanes widen(const Vec3Lanes& v) { return {widen(v.x), widen(v.y), widen(v.z)}; }
 HWY_INLINE Vec3Lanes narrow(const DVec3Lanes& v) { return {narrow(v.x), narrow(v.y), narrow(v.z)}; }

@@ -10,7 +10,7 @@
 #include "core/geometry/accel.h"
 #include "core/geometry/bvh8_any_packet.h"
 #include "core/geometry/bvh8_packet.h"
-#include "core/geometry/hit_lanes.h"
+#include "core/geometry/mesh_lanes.h"
 #include "core/geometry/ray_lanes.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -114,13 +114,22 @@ inline SurfaceLanes surfacesOf(const IndexedGeometry<Index>& geometry, const Ins
     if (const auto* sphere = std::get_if<Sphere>(shape)) return ofShape(*sphere);
     if (const auto* plane = std::get_if<Plane>(shape)) return ofShape(*plane);
     if (const auto* box = std::get_if<Box>(shape)) return ofShape(*box);
+    SurfaceLanes surfaces{};
+    if (const auto* mesh = std::get_if<1>(&instance.geometry)) {
+        const RayLanes local = toObject(instance.placement, rays);
+        const MeshSurfaces found = surfacesOn(*(*mesh)->mesh, local.direction, hits, asked);
+        surfaces = toWorld(instance.placement, found.points);
+        surfaces.shadingNormal = normalToWorld(instance.placement, found.points.shadingNormal);
+        surfaces.lift = times(instance.placement.objectToWorld().linear, found.points.lift);
+        if (hn::AllFalse(FloatTag(), found.others)) return surfaces;
+        asked = found.others;
+    }
     const RaySpread single(rays);
     const HitSpread hit(hits);
-    SurfaceSpread surfaces;
-    eachLane(asked, [&](std::size_t lane) {
-        surfaces.set(lane, surfaceAt(geometry, single.at(lane), hit.at(lane)));
-    });
-    return surfaces.gathered();
+    SurfaceSpread result(surfaces);
+    eachLane(asked,
+             [&](std::size_t lane) { result.set(lane, surfaceAt(geometry, single.at(lane), hit.at(lane))); });
+    return result.gathered();
 }
 
 /// The surfaces at hits of the `asked` rays, one of them at least, in world space; most often those of a

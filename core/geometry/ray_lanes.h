@@ -46,6 +46,9 @@ struct SurfaceLanes {
 struct SurfaceSpread {
     Spread3 position, error, geometricNormal, shadingNormal, lift;
 
+    explicit SurfaceSpread(const SurfaceLanes& s)
+        : position(spread(s.position)), error(spread(s.error)), geometricNormal(spread(s.geometricNormal)),
+          shadingNormal(spread(s.shadingNormal)), lift(spread(s.lift)) {}
     void set(std::size_t lane, const SurfacePoint& p) {
         position.set(lane, p.position), error.set(lane, p.error);
         geometricNormal.set(lane, p.geometricNormal), shadingNormal.set(lane, p.shadingNormal);
