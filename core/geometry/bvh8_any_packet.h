@@ -34,7 +34,8 @@ private:
 
     void ask() {
         if (geometry_.top.nodes().empty()) return askAlways();
-        const RayRanges ranges(rays_.asked, kRow, [&](std::size_t) HWY_ATTR { return rays_.rows[0]; });
+        const RayRanges ranges(rays_.asked, kRow,
+                               [&](std::size_t) HWY_ATTR -> const RayLanes& { return rays_.rows[0]; });
         const PacketSlab slab(ranges, geometry_.top.bounds());
         if (!slab.coherent()) return singly();
         askAlways();

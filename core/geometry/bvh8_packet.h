@@ -25,7 +25,8 @@ public:
 
 private:
     void ask(Rows rows) {
-        const RayRanges ranges(rays_.asked, rows, [&](std::size_t row) HWY_ATTR { return rays_.rows[row]; });
+        const RayRanges ranges(rays_.asked, rows,
+                               [&](std::size_t row) HWY_ATTR -> const RayLanes& { return rays_.rows[row]; });
         if (geometry_.top.nodes().empty()) return askAlways(rows, ranges);
         const PacketSlab slab(ranges, geometry_.top.bounds());
         if (!slab.coherent()) {

@@ -94,10 +94,10 @@ struct RayRanges {
     /// rowAt(row): rays of the packet, in whichever space.
     template <class RowAt>
     RayRanges(const Asked& asked, Rows rows, const RowAt& rowAt) {
-        directions = rangesOf(asked, rows, [&](std::size_t row) HWY_ATTR { return rowAt(row).direction; });
+        directions = rangesOf(asked, rows, rowAt, &RayLanes::direction);
         sameWay = allSameWay();
         if (!sameWay) return;
-        origins = rangesOf(asked, rows, [&](std::size_t row) HWY_ATTR { return rowAt(row).origin; });
+        origins = rangesOf(asked, rows, rowAt, &RayLanes::origin);
         RangeLanes starts;
         for (std::size_t row = rows.first; row < rows.end; ++row)
             starts.add(rowAt(row).tMin, maskOf(asked[row]));
@@ -119,12 +119,14 @@ struct RayRanges {
     static constexpr float kWidest = 0.03F;
 
 private:
-    template <class VectorAt>
-    static HWY_INLINE std::array<Range, 3> rangesOf(const Asked& asked, Rows rows, const VectorAt& at) {
+    template <class RowAt>
+    static HWY_INLINE std::array<Range, 3> rangesOf(const Asked& asked, Rows rows, const RowAt& rowAt,
+                                                    Vec3Lanes RayLanes::* vector) {
         RangeLanes x, y, z;
         for (std::size_t row = rows.first; row < rows.end; ++row) {
             const FloatMask there = maskOf(asked[row]);
-            const Vec3Lanes v = at(row);
+            const RayLanes& rays = rowAt(row);
+            const Vec3Lanes& v = rays.*vector;
             x.add(v.x, there), y.add(v.y, there), z.add(v.z, there);
         }
         return {x.ends(), y.ends(), z.ends()};

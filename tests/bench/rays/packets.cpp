@@ -25,8 +25,11 @@ void traceColumns(const IndexedGeometry<Bvh8>& geometry, const bench::RayColumns
         const Packet found(geometry, packet, RayMask::All);
         for (std::size_t row = 0; row < packet.count; ++row) {
             const auto rest = answers.subspan(place(row));
-            const Spread t = spread(found.hits(row).t);
-            std::copy_n(t.lane, std::min(kLanes, rest.size()), rest.begin());
+            const FloatLanes t = found.hits(row).t;
+            if (rest.size() >= kLanes)
+                hn::StoreU(t, FloatTag(), rest.data());
+            else
+                std::copy_n(spread(t).lane, rest.size(), rest.begin());
         }
     }
 }
