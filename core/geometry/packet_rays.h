@@ -84,6 +84,16 @@ struct RangeLanes {
     }
 };
 
+/// What vectors lie between, by axis.
+struct VectorRangeLanes {
+    RangeLanes x, y, z;
+
+    HWY_INLINE void add(const Vec3Lanes& v, FloatMask asked) {
+        x.add(v.x, asked), y.add(v.y, asked), z.add(v.z, asked);
+    }
+    HWY_INLINE std::array<Range, 3> ends() const { return {x.ends(), y.ends(), z.ends()}; }
+};
+
 /// What the origins and directions of some rays lie between.
 struct RayRanges {
     std::array<Range, 3> directions{};
@@ -94,13 +104,19 @@ struct RayRanges {
     /// rowAt(row): rays of the packet, in whichever space.
     template <class RowAt>
     RayRanges(const Asked& asked, Rows rows, const RowAt& rowAt) {
-        directions = rangesOf(asked, rows, rowAt, &RayLanes::direction);
+        VectorRangeLanes along, from;
+        for (std::size_t row = rows.first; row < rows.end; ++row)
+            along.add(rowAt(row).direction, maskOf(asked[row]));
+        directions = along.ends();
         sameWay = allSameWay();
         if (!sameWay) return;
-        origins = rangesOf(asked, rows, rowAt, &RayLanes::origin);
         RangeLanes starts;
-        for (std::size_t row = rows.first; row < rows.end; ++row)
-            starts.add(rowAt(row).tMin, maskOf(asked[row]));
+        for (std::size_t row = rows.first; row < rows.end; ++row) {
+            const RayLanes& rays = rowAt(row);
+            const FloatMask there = maskOf(asked[row]);
+            from.add(rays.origin, there), starts.add(rays.tMin, there);
+        }
+        origins = from.ends();
         tMin = starts.ends().low;
     }
 
@@ -119,18 +135,6 @@ struct RayRanges {
     static constexpr float kWidest = 0.03F;
 
 private:
-    template <class RowAt>
-    static HWY_INLINE std::array<Range, 3> rangesOf(const Asked& asked, Rows rows, const RowAt& rowAt,
-                                                    Vec3Lanes RayLanes::* vector) {
-        RangeLanes x, y, z;
-        for (std::size_t row = rows.first; row < rows.end; ++row) {
-            const FloatMask there = maskOf(asked[row]);
-            const RayLanes& rays = rowAt(row);
-            const Vec3Lanes& v = rays.*vector;
-            x.add(v.x, there), y.add(v.y, there), z.add(v.z, there);
-        }
-        return {x.ends(), y.ends(), z.ends()};
-    }
     bool allSameWay() const {
         float longest = 0;
         for (const auto& [low, high] : directions) longest = std::max({longest, high, -low});
