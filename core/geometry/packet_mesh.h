@@ -105,7 +105,8 @@ private:
     void meet(Triangles& triangles, std::size_t triangle, std::uint32_t first, std::size_t row) {
         const FloatTag f;
         const TriangleLanes at = shear_.test(row, triangles, triangle, here_.mesh.mesh->doubleSided);
-        const auto open = hn::And(maskOf(here_.asked[row]), hn::And(at.open, at.soonest < hits_.limit(row)));
+        const auto before = at.nearest < hits_.limit(row) * shear_.row(row).along * all(kBeyond);
+        const auto open = hn::And(maskOf(here_.asked[row]), hn::And(at.open, before));
         if (hn::AllFalse(f, open)) return;
         const std::uint32_t slot = first + static_cast<std::uint32_t>(triangle);
         const auto certain = hn::And(open, at.certain);

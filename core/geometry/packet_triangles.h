@@ -16,8 +16,7 @@ namespace eyeray::HWY_NAMESPACE {
 struct ShearLanes {
     Vec3Lanes direction; // turned
     FloatLanes sx, sy;
-    FloatLanes soonest,
-        latest; // a little less, or more, than the inverse of the direction along the third axis
+    FloatLanes along; // how far a unit of t goes along the third axis
 };
 
 /// The same for one ray after the other.
@@ -36,9 +35,9 @@ struct ShearSpread {
 /// What is known of a triangle before its areas in double: their signs in float are right or zero whatever
 /// the rounding.
 struct TriangleLanes {
-    FloatMask open;             // the ray may meet it
-    FloatMask certain;          // the areas' signs are right
-    FloatLanes soonest, latest; // bounds of t: it lies between those of the corners
+    FloatMask open;               // the ray may meet it
+    FloatMask certain;            // the areas' signs are right
+    FloatLanes nearest, farthest; // of the corners, ahead along the third axis: the hit lies between them
 };
 
 /// The triangles of a leaf as a packet sees them: along the axes of its shear, and from the origin if all
@@ -159,7 +158,7 @@ public:
         };
         const auto missed = hn::Or(beside(from(0, origin.x), shear.sx), beside(from(1, origin.y), shear.sy));
         const auto nearest = forward_ ? zLow : hn::Neg(zHigh), farthest = forward_ ? zHigh : hn::Neg(zLow);
-        const auto within = hn::And(farthest >= zero, nearest * shear.soonest < limits);
+        const auto within = hn::And(farthest >= zero, nearest < limits * shear.along * all(kBeyond));
         return hn::And(hn::AndNot(missed, within), asked);
     }
 
@@ -229,8 +228,7 @@ public:
             const auto other = hn::Neg(nearest);
             nearest = hn::Neg(farthest), farthest = other;
         }
-        return {hn::AndNot(beside, farthest >= zero), certain, nearest * shear.soonest,
-                farthest * shear.latest};
+        return {hn::AndNot(beside, farthest >= zero), certain, nearest, farthest};
     }
 
     /// t where rays of a row meet the plane of a triangle, as detail::finishTriangle; infinite behind the
@@ -249,9 +247,9 @@ public:
         const auto approach = dot(normal, direction);
         const auto plane = distance / approach; // not a number for a triangle that is seen edge-on
         const FloatLanes rounded = narrow(plane);
-        const auto inside = hn::And(rounded > at.soonest * all(kBeyond * kBeyond),
-                                    rounded * all(kBeyond * kBeyond) < at.latest);
-        const auto ahead = at.soonest > hn::Zero(FloatTag());
+        const auto there = rounded * shear.along;
+        const auto inside = hn::And(there > at.nearest * all(kBeyond), there * all(kBeyond) < at.farthest);
+        const auto ahead = at.nearest > hn::Zero(FloatTag());
         if (hn::AllTrue(FloatTag(), hn::Or(hn::And(inside, ahead), hn::Not(at.certain)))) return rounded;
         const auto along = abs(direction.z), sign = copySign(all(1.0), direction.z);
         const TriangleCorners corners = triangles.corners(triangle);
@@ -275,14 +273,14 @@ private:
         shear.direction = {d[axes_[0]], d[axes_[1]], d[axes_[2]]};
         shear.sx = shear.direction.x / shear.direction.z;
         shear.sy = shear.direction.y / shear.direction.z;
-        const auto along = hn::Abs(shear.direction.z), inverse = all(1.0F) / along;
-        shear.soonest = inverse * all(1 / kBeyond), shear.latest = inverse * all(kBeyond);
+        shear.along = hn::Abs(shear.direction.z);
         if constexpr (!kOneOrigin) {
             turnedOrigins_[row] = {o[axes_[0]], o[axes_[1]], o[axes_[2]]};
             for (std::size_t i = 0; i < 3; ++i) origins_[i].set(row, o[axes_[i]], asked);
         }
         slopes_[0].set(row, shear.sx, asked), slopes_[1].set(row, shear.sy, asked);
-        along_[row] = hn::GetLane(hn::MaxOfLanes(FloatTag(), hn::IfThenElseZero(asked, along))) * kBeyond;
+        along_[row] =
+            hn::GetLane(hn::MaxOfLanes(FloatTag(), hn::IfThenElseZero(asked, shear.along))) * kBeyond;
         rows_ |= 1U << row;
     }
 
