@@ -1,5 +1,8 @@
-// labels: unit
+// labels: unit threads
 // From radiance to bytes: the sRGB curve, tone maps, exposure and its meter.
+
+#include <algorithm>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -23,6 +26,17 @@ TEST(Display, HasTheCodesOfTheStandard) {
     EXPECT_EQ(shown({0.5F, 0.18F, 0.2158605F}), (Rgba8{188, 118, 128, 255}));
     EXPECT_EQ(shown({0, 1, 1000}), (Rgba8{0, 255, 255, 255}));
     EXPECT_EQ(shown({-1, -1e30F, 1e-9F}), (Rgba8{0, 0, 0, 255}));
+}
+
+TEST(Display, OfALargePictureIsThatOfItsPixels) {
+    cases::Random random(2);
+    ColorImage image(1025, 1027);
+    for (Color& c : image.values())
+        c = Color(random.uniform(0, 2), random.uniform(0, 2), random.uniform(0, 2));
+    std::vector<Rgba8> pixels(image.values().size());
+    display(image.values(), {}, pixels);
+    const ByteImage whole = display(image, {});
+    EXPECT_TRUE(std::ranges::equal(whole.values(), pixels));
 }
 
 TEST(Display, WithoutToneMapIsLinear) {

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <thread>
+#include <vector>
 
 #include "core/image/srgb.h"
 
@@ -50,8 +52,19 @@ void display(std::span<const Color> radiance, const DisplaySettings& settings, s
 }
 
 ByteImage display(const ColorImage& radiance, const DisplaySettings& settings) {
+    constexpr std::size_t kWorthAThread = 1U << 18U; // pixels: a millisecond
     ByteImage shown(radiance.width(), radiance.height());
-    display(radiance.values(), settings, shown.values());
+    const std::span<const Color> from = radiance.values();
+    const std::span<Rgba8> to = shown.values();
+    const std::size_t cores = std::max(1U, std::thread::hardware_concurrency());
+    const std::size_t parts = std::clamp<std::size_t>(from.size() / kWorthAThread, 1, cores);
+    const auto displayPart = [&](std::size_t part) {
+        const std::size_t begin = from.size() * part / parts, end = from.size() * (part + 1) / parts;
+        display(from.subspan(begin, end - begin), settings, to.subspan(begin, end - begin));
+    };
+    std::vector<std::jthread> others;
+    for (std::size_t part = 1; part < parts; ++part) others.emplace_back(displayPart, part);
+    displayPart(0);
     return shown;
 }
 

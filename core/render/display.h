@@ -25,6 +25,7 @@ struct DisplaySettings {
 
 /// The bytes to show for each radiance; `shown` has the size of `radiance`.
 void display(std::span<const Color> radiance, const DisplaySettings&, std::span<Rgba8> shown);
+/// The same of a whole picture; all cores share a large one.
 ByteImage display(const ColorImage& radiance, const DisplaySettings&);
 
 /// Slope of the displayed value (0 to 1) against radiance luminance: how visible an error of the radiance is.
