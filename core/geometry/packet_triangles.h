@@ -315,14 +315,14 @@ private:
         return hn::Or(aside, outside);
     }
 
-    std::array<ShearLanes, kMostRows> shears_;
-    std::array<Vec3Lanes, kOneOrigin ? 1 : kMostRows> turnedOrigins_; // where they differ
-    std::array<RowRanges, 3> origins_;
-    std::array<RowRanges, 2> slopes_;
     alignas(32) OfRows along_{}; // the third axis, the most of each row
+    std::array<RowRanges, 2> slopes_;
+    std::array<RowRanges, 3> origins_;
     std::array<std::size_t, 3> axes_;
-    std::array<float, 3> origin_; // of the first ray, turned
-    std::uint32_t rows_ = 0;      // that have rays, a bit each
+    std::uint32_t rows_ = 0;                                          // that have rays, a bit each
+    std::array<float, 3> origin_;                                     // of the first ray, turned
+    std::array<Vec3Lanes, kOneOrigin ? 1 : kMostRows> turnedOrigins_; // where they differ
+    std::array<ShearLanes, kMostRows> shears_;
     bool forward_ = true;
 };
 
